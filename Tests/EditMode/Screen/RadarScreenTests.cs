@@ -69,6 +69,17 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Reflectors_OfAnyNumber_AreShown()
+        {
+            for (int i = 0; i < 40; i++)
+                Reflector(new Vector3(0, 15, 1000 + 200 * i), 1e5);
+            TurnOnce();
+            var levels = _screen.ReadLevels();
+            for (int i = 0; i < 40; i++)
+                Assert.That(levels[(int)((1000 + 200 * i) / _screen.Geometry.CellSize)], Is.GreaterThan(40), $"{i}");
+        }
+
+        [Test]
         public void Reflector_ThatIsDisabledOrDestroyed_IsNotShown()
         {
             var reflector = Reflector(new Vector3(0, 15, 4000), 1e5);

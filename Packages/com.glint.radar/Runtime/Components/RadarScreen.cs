@@ -169,6 +169,17 @@ namespace Glint
         }
 
         /// <summary>
+        /// Reads video and trail of the spokes that the last frame finished, spoke by spoke. It waits for the device.
+        /// </summary>
+        /// <param name="first">Number of the first spoke, counted from north in the first turn.</param>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public float2[] ReadFrame(out long first)
+        {
+            first = Ready().Slice.FirstFinished;
+            return _tracer.ReadFrame();
+        }
+
+        /// <summary>
         /// The picture as bytes of red, green, blue and 255, row by row from the bottom, computed by the processor from
         /// the device's video. It waits for the device, and is the way where <see cref="Picture"/> is null.
         /// </summary>
@@ -186,7 +197,8 @@ namespace Glint
             _turns += seconds * _radar.TurnsAMinute / 60 + Math.IEEERemainder(_headingTurns - before, 1);
             _tracer.Begin(_turns);
             AddSea();
-            _tracer.AddPoints(_points, GatherPoints(), _waves != null);
+            int points = GatherPoints();
+            _tracer.AddPoints(_points, points, _waves != null);
             _tracer.AddRain();
             _tracer.Finish(_receiver);
             if (_picture != null)

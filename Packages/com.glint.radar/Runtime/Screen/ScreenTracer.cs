@@ -168,6 +168,19 @@ namespace Glint
             Dispatch(_video, Geometry.Radar.Cells, _current.Finished);
         }
 
+        /// <summary>Reads video and trails of the spokes that the last frame finished. It waits for the device.</summary>
+        public float2[] ReadFrame()
+        {
+            int spokes = Geometry.Radar.Spokes, cells = Geometry.Radar.Cells,
+                first = (int)(_current.FirstFinished & (spokes - 1)), whole = Math.Min(_current.Finished, spokes - first);
+            var video = new float2[_current.Finished * cells];
+            if (whole > 0)
+                Video.Buffer.GetData(video, 0, first * cells, whole * cells);
+            if (whole < _current.Finished)
+                Video.Buffer.GetData(video, whole * cells, 0, (_current.Finished - whole) * cells);
+            return video;
+        }
+
         /// <summary>Whether the device draws into textures.</summary>
         public static bool CanDraw =>
             SystemInfo.IsFormatSupported(GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormatUsage.LoadStore);
