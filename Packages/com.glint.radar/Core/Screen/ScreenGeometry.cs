@@ -25,7 +25,7 @@ namespace Glint.Core
 
         readonly RadarEquation _equation;
         readonly Antenna _antenna;
-        readonly double _waveNumber, _pulseLength;
+        readonly double _waveNumber;
 
         /// <exception cref="GlintException">A setting is out of its range.</exception>
         public ScreenGeometry(in ScreenRadar radar, string subject)
@@ -44,8 +44,8 @@ namespace Glint.Core
             Beam = Enumerable.Range(0, radar.Spokes / 4)
                 .Select(spoke => Math.Pow(azimuth.Field(2 * Math.PI * spoke / Radar.Spokes).Real, 2))
                 .TakeWhile(weight => weight >= SmallestWeight).Select(weight => (float)weight).ToArray();
-            _pulseLength = Signal.SpeedOfLight / 2 * pulse;
-            Pulse = Enumerable.Range(0, radar.Cells).Select(cell => 1 - cell * CellSize / _pulseLength)
+            PulseLength = Signal.SpeedOfLight / 2 * pulse;
+            Pulse = Enumerable.Range(0, radar.Cells).Select(cell => 1 - cell * CellSize / PulseLength)
                 .TakeWhile((weight, cell) => cell == 0 || weight > 0).Select(weight => (float)weight).ToArray();
             NoiseGain = 1 / (1 + 2 * Pulse.Skip(1).Sum(weight => (double)weight * weight));
         }
@@ -55,6 +55,9 @@ namespace Glint.Core
 
         /// <summary>Metres from one cell to the next.</summary>
         public double CellSize { get; }
+
+        /// <summary>Half of the length of a pulse in metres, by which it blurs ranges.</summary>
+        public double PulseLength { get; }
 
         /// <summary>Mean power of the noise, watts.</summary>
         public double NoisePower { get; }
@@ -84,7 +87,7 @@ namespace Glint.Core
         /// Factor of the amplitude of echoes that fill their cells, as of sea and rain: the square of the pulse's
         /// triangle has 2/3 of its half base, and the sum over its weights differs from that where cells are long.
         /// </summary>
-        public double FillFactor => Math.Sqrt(2.0 / 3 * _pulseLength / CellSize * NoiseGain);
+        public double FillFactor => Math.Sqrt(2.0 / 3 * PulseLength / CellSize * NoiseGain);
 
         /// <summary>Amplitude in units of an echo of one square metre at one metre, in the middle of the beam.</summary>
         public double AmplitudeAtOne => Amplitude(1, 1, 0);

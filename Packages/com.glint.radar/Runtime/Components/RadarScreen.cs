@@ -222,14 +222,27 @@ namespace Glint
             }
         }
 
+        /// <summary>Refuses settings out of their ranges, and kernels that are missing.</summary>
+        /// <exception cref="GlintException">The message says which, and the way out.</exception>
+        public void Check()
+        {
+            _radar.Validate(Subject);
+            _receiver.Validate(Subject);
+            _display.Validate(Subject);
+            DeviceCheck.Require(_kernel, "Screen", "ScreenBeam", Subject);
+            // It refuses a sea that is tilted, too.
+            if (_sea != null && _sea.CurrentClutter() == null)
+                throw new GlintException($"{Subject}: its sea '{_sea.name}' has no clutter: turn Clutter on, or leave "
+                    + "Sea empty");
+        }
+
         void Prepare()
         {
             if (_tracer != null && !_isStale)
                 return;
             _isStale = false;
             Release();
-            _receiver.Validate(Subject);
-            _display.Validate(Subject);
+            Check();
             _compass = Compass.Find(Subject);
             _tracer = new ScreenTracer(_kernel, Subject, _radar);
             _turns = _headingTurns = Heading();
@@ -259,10 +272,6 @@ namespace Glint
         {
             if (_sea == null)
                 return;
-            // It refuses a sea that is tilted, too.
-            if (_sea.CurrentClutter() == null)
-                throw new GlintException($"{Subject}: its sea '{_sea.name}' has no clutter: turn Clutter on, or leave "
-                    + "Sea empty");
             _tileMiddle = _sea.TileMiddle();
             _waves = new ScreenSea(_seaKernel, Subject, _tracer.Geometry, _sea.ShownWaves, _sea.Clutter);
         }
