@@ -37,17 +37,20 @@ float2 VideoAt(float2 position, float radius)
     uint first = (uint)max(0.0, floor((radius - 0.5) * cells));
     uint last = min(_ScreenSize.y - 1, max(first, (uint)ceil((radius + 0.5) * cells) - 1));
     first = min(first, last);
+    float2 largest = 0.0;
     if (width < 1.0)
     {
         int below = (int)floor(spoke);
-        return lerp(LargestVideo(below, first, last), LargestVideo(below + 1, first, last), spoke - below);
+        largest = lerp(LargestVideo(below, first, last), LargestVideo(below + 1, first, last), spoke - below);
     }
-    float reach = min(0.5 * width, SCREEN_PIXEL_SPOKES);
-    int end = (int)floor(spoke + reach + 0.5);
-    float2 largest = 0.0;
-    [loop]
-    for (int at = (int)floor(spoke - reach + 0.5); at <= end; at++)
-        largest = max(largest, LargestVideo(at, first, last));
+    else
+    {
+        float reach = min(0.5 * width, SCREEN_PIXEL_SPOKES);
+        int end = (int)floor(spoke + reach + 0.5);
+        [loop]
+        for (int at = (int)floor(spoke - reach + 0.5); at <= end; at++)
+            largest = max(largest, LargestVideo(at, first, last));
+    }
     return largest;
 }
 

@@ -47,11 +47,10 @@ ScreenFacet FacetAt(float2 position)
 // Sigma0 of a facet in the radar's polarisation.
 float SigmaOf(ScreenFacet facet, float3 toRadar)
 {
-    if (facet.IsBreaking)
-        return BreakingSigma(saturate(toRadar.y));
     float3 v = normalize(float3(0.0, 1.0, 0.0) - toRadar.y * toRadar);
     float3 sigma = BraggSigma(facet.Normal, toRadar, v);
-    return (_ScreenSeaCorner.z > 0.0 ? sigma.z : sigma.x) + SpecularSigma(facet.Normal, toRadar);
+    float smooth = (_ScreenSeaCorner.z > 0.0 ? sigma.z : sigma.x) + SpecularSigma(facet.Normal, toRadar);
+    return facet.IsBreaking ? BreakingSigma(saturate(toRadar.y)) : smooth;
 }
 
 [numthreads(64, 1, 1)]

@@ -20,9 +20,9 @@ namespace Glint.Tests
         };
 
         // Larger than the cells, so that it interpolates, and smaller, so that pixels have several of them.
-        [TestCase(900, 256, 64, ScreenOrientation.NorthUp)]
-        [TestCase(150, 1024, 512, ScreenOrientation.HeadUp)]
-        public void Pixels_AreThoseOfTheProcessor(int side, int spokes, int cells, ScreenOrientation orientation)
+        [TestCase(900, 256, 64, PictureOrientation.NorthUp)]
+        [TestCase(150, 1024, 512, PictureOrientation.HeadUp)]
+        public void Pixels_AreThoseOfTheProcessor(int side, int spokes, int cells, PictureOrientation orientation)
         {
             var radar = ScreenBench.Small(spokes, cells);
             (radar.BeamWidth, radar.RainRate) = (6, 30);
@@ -46,9 +46,9 @@ namespace Glint.Tests
         }
 
         // A reflector 5,556 m to the east, half the range scale, and the ship heads for 30 degrees.
-        [TestCase(ScreenOrientation.NorthUp, 90)]
-        [TestCase(ScreenOrientation.HeadUp, 60)]
-        public void Reflector_IsWhereItsBearingAndRangePutIt(ScreenOrientation orientation, double shown)
+        [TestCase(PictureOrientation.NorthUp, 90)]
+        [TestCase(PictureOrientation.HeadUp, 60)]
+        public void Reflector_IsWhereItsBearingAndRangePutIt(PictureOrientation orientation, double shown)
         {
             const int side = 400;
             using (var bench = new ScreenBench(ScreenBench.Small(), (90, 5556, 1e4)))
@@ -63,7 +63,7 @@ namespace Glint.Tests
                 int x = (int)(side / 2 + side / 4 * Math.Sin(angle)), y = (int)(side / 2 + side / 4 * Math.Cos(angle));
                 Assert.That(pixels[4 * (y * side + x)], Is.GreaterThan(100), "echo");
                 Assert.That(pixels[4 * (y * side + side - x)], Is.LessThan(20), "its mirror image");
-                double line = math.radians(orientation == ScreenOrientation.NorthUp ? Heading : 0);
+                double line = math.radians(orientation == PictureOrientation.NorthUp ? Heading : 0);
                 int lineX = (int)(side / 2 + 50 * Math.Sin(line)), lineY = (int)(side / 2 + 50 * Math.Cos(line));
                 Assert.That(pixels[4 * (lineY * side + lineX) + 2], Is.GreaterThan(90), "heading line");
                 Assert.That(pixels[0], Is.EqualTo(26).Within(1), "corner");
@@ -78,14 +78,14 @@ namespace Glint.Tests
             {
                 var colours = s_colours;
                 colours.Outside = 0.5;
-                var view = ScreenView.Of(bench.Geometry, DisplayOf(64, ScreenOrientation.NorthUp), bench.Receiver,
+                var view = ScreenView.Of(bench.Geometry, DisplayOf(64, PictureOrientation.NorthUp), bench.Receiver,
                     colours, 0, 0);
                 Assert.That(Draw(bench, view)[0], Is.EqualTo(128).Within(1));
                 Assert.That(Draw(bench, view, isLinear: true)[0], Is.EqualTo(0.214 * 255).Within(1));
             }
         }
 
-        static ScreenDisplay DisplayOf(int side, ScreenOrientation orientation)
+        static ScreenDisplay DisplayOf(int side, PictureOrientation orientation)
         {
             var display = ScreenDisplay.Default;
             (display.Side, display.Orientation) = (side, orientation);

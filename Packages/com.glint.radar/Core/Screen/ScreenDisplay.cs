@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Glint.Core
 {
     /// <summary>What is at the top of a radar's picture.</summary>
-    public enum ScreenOrientation
+    public enum PictureOrientation
     {
         /// <summary>The bow of the own ship.</summary>
         HeadUp,
@@ -31,7 +31,7 @@ namespace Glint.Core
         };
 
         /// <summary>Head-up or north-up.</summary>
-        public ScreenOrientation Orientation;
+        public PictureOrientation Orientation;
 
         /// <summary>Pixels along a side.</summary>
         public int Side;
@@ -54,7 +54,7 @@ namespace Glint.Core
         /// <summary>North-up with six rings and the heading line.</summary>
         public static ScreenDisplay Default => new ScreenDisplay
         {
-            Orientation = ScreenOrientation.NorthUp, Side = 1024, RangeRings = 6, HasHeadingLine = true
+            Orientation = PictureOrientation.NorthUp, Side = 1024, RangeRings = 6, HasHeadingLine = true
         };
 
         /// <inheritdoc cref="ScreenRadar.Validate"/>

@@ -138,7 +138,7 @@ namespace Glint.Core
             in ScreenColours colours, double headingTurns, long front)
         {
             int spokes = geometry.Radar.Spokes;
-            double half = display.Side / 2.0, up = display.Orientation == ScreenOrientation.HeadUp ? headingTurns : 0;
+            double half = display.Side / 2.0, up = display.Orientation == PictureOrientation.HeadUp ? headingTurns : 0;
             double4 Line(bool isDrawn, double turns) => new double4(Math.Sin(2 * Math.PI * (turns - up)),
                 Math.Cos(2 * Math.PI * (turns - up)), isDrawn ? 1 : 0, 0);
             return new ScreenView
