@@ -10,6 +10,9 @@ namespace Glint.Cli;
 /// <summary>Runs the product's commands and those of the headless host.</summary>
 sealed class Product
 {
+    // Tests make several products.
+    static readonly Func<CommandLine, IProgressSink, int> s_turnScreen = Commands.Ppi.Handler;
+
     readonly Terminal _terminal;
     readonly List<string> _report = [];
 
@@ -23,6 +26,7 @@ sealed class Product
             return 0;
         };
         Commands.Bench.Handler = (line, progress) => Report(new BenchCommand(terminal).Execute(line, progress));
+        Commands.Ppi.Handler = TurnScreen;
         Commands.Experiments.Handler =
             (line, progress) => Report(new ExperimentsCommand(terminal).Execute(line, progress));
         Commands.Verify.Handler = (line, progress) =>
@@ -52,6 +56,26 @@ sealed class Product
         foreach (string text in _report)
             _terminal.Out.WriteLine(text);
         return exitCode;
+    }
+
+    // Unity has profilers for the time on the device.
+    int TurnScreen(CommandLine line, IProgressSink progress)
+    {
+        var clock = GraphicsDevice.IsNull ? null : GraphicsDevice.Current.Clock;
+        if (clock is not { IsSupported: true })
+            return s_turnScreen(line, progress);
+        clock.IsOn = true;
+        clock.Reset();
+        try
+        {
+            int exitCode = s_turnScreen(line, progress);
+            return exitCode != 0 ? exitCode
+                : Report([FormattableString.Invariant($"kernels on the device: {clock.Read():0.0} ms in all")]);
+        }
+        finally
+        {
+            clock.IsOn = false;
+        }
     }
 
     int Report(string[] lines, int exitCode = 0)

@@ -106,7 +106,8 @@ public sealed class ScreenCommandTests
 
     void Run(params string[] options)
     {
-        var (code, _, error) = TestShell.Run(["ppi", _scene, .. options, "--out", _folder]);
+        var (code, text, error) = TestShell.Run(["ppi", _scene, .. options, "--out", _folder]);
         Assert.That(code, Is.Zero, error);
+        Assert.That(text, Does.Contain("main thread").And.Contain("kernels on the device"));
     }
 }
