@@ -10,9 +10,6 @@ namespace Glint.Cli;
 /// <summary>Runs the product's commands and those of the headless host.</summary>
 sealed class Product
 {
-    // Tests make several products.
-    static readonly Func<CommandLine, IProgressSink, int> s_turnScreen = Commands.Ppi.Handler;
-
     readonly Terminal _terminal;
     readonly List<string> _report = [];
 
@@ -26,7 +23,6 @@ sealed class Product
             return 0;
         };
         Commands.Bench.Handler = (line, progress) => Report(new BenchCommand(terminal).Execute(line, progress));
-        Commands.Ppi.Handler = TurnScreen;
         Commands.Experiments.Handler =
             (line, progress) => Report(new ExperimentsCommand(terminal).Execute(line, progress));
         Commands.Verify.Handler = (line, progress) =>
@@ -46,7 +42,8 @@ sealed class Product
         using var cancellation = new Cancellation(_terminal);
         Project.Open(ProjectFolder.For(line.Input));
         Engine.DeviceSelector = line.Get(Options.Device);
-        int Work(IProgressSink progress) => Batch.Execute(line, progress);
+        int Work(IProgressSink progress) =>
+            line.Command == Commands.Ppi ? TurnScreen(line, progress) : Batch.Execute(line, progress);
         int exitCode = _terminal.Live == null
             ? Work(new ProgressLines(_terminal.Out, _terminal.Error, cancellation, TimeProvider.System))
             : ProgressBar.During(_terminal, cancellation, Work);
@@ -63,12 +60,12 @@ sealed class Product
     {
         var clock = GraphicsDevice.IsNull ? null : GraphicsDevice.Current.Clock;
         if (clock is not { IsSupported: true })
-            return s_turnScreen(line, progress);
+            return Batch.Execute(line, progress);
         clock.IsOn = true;
         clock.Reset();
         try
         {
-            int exitCode = s_turnScreen(line, progress);
+            int exitCode = Batch.Execute(line, progress);
             return exitCode != 0 ? exitCode
                 : Report([FormattableString.Invariant($"kernels on the device: {clock.Read():0.0} ms in all")]);
         }
