@@ -54,6 +54,18 @@ public sealed class ScreenCommandTests
             Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
     }
 
+    /// <summary>The page's example, in Debian's Python.</summary>
+    [Test]
+    [Platform("Linux")]
+    public void PythonExample_OfThePage_ReadsAndPlotsTheFile()
+    {
+        Run("--turns", "1", "--fps", "1");
+        string output = PythonExample.Run("screen.md", "/usr/bin/python3", _folder);
+        Assert.That(output, Does.Match(@"^highest: [5-9]\d\.\d dB at \d+ m, \d+\.\d deg\n$"));
+        Assert.That(File.ReadAllBytes(Path.Combine(_folder, "turn.png")).Take(4),
+            Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
+    }
+
     [Test]
     public void Video_IsSentByUdp_ToThisMachine()
     {
