@@ -7,8 +7,9 @@
 // The diffuse echo of a sea's height field: one thread a facet, some facets a cell. A facet stands for the sea in its
 // part of the cell, with the slope of the field at its middle.
 
-float4 _ScreenSea;                         // from bearing to the sea's rotation about Y, turns; facets of a cell; downward
-                                           // acceleration from which a crest breaks, m/s2; seed
+float4 _ScreenSea;                         // from bearing to the sea's rotation about Y, turns; facets of a cell; vertical
+                                           // acceleration below which a crest breaks, m/s2
+uint _ScreenSeaSeed;                       // of the speckle
 float4 _ScreenSeaCorner;                   // corner of a grid cell against the wind: 0 or 1 along x and z; polarisation of
                                            // Sigma0: 0 VV, 2 HH; factor of the field
 
@@ -73,8 +74,7 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
     float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * exp(-_ScreenEcho.z * elevation * elevation) * sqrt(sigma)
         / (range * range);
     // Speckle decorrelates within a tenth of a second, long before the next turn.
-    float2 number =
-        SpeckleAt(int2(SEA_SPECKLE + (int)id.x, spoke), (uint)_ScreenSea.w, TurnAt(id.y)).xy;
+    float2 number = SpeckleAt(int2(SEA_SPECKLE + (int)id.x, spoke), _ScreenSeaSeed, TurnAt(id.y)).xy;
     AddEcho(spoke, cell, amplitude * number);
 }
 

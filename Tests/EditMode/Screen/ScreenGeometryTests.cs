@@ -32,7 +32,10 @@ namespace Glint.Tests
                 new double3(0, 15, 0), 1);
             Assert.That(At(12.7).Amplitude, Is.GreaterThan(0));
             Assert.That(At(12.9).Amplitude, Is.Zero);
-            Assert.That(At(17).Amplitude, Is.Zero, "beyond the scale");
+            Assert.That(At(17).Amplitude, Is.Zero, "outside the scale");
+            // A cell of 1e300 has no number.
+            Assert.That(geometry.PointOf(new double3(0, 1e300, 0), new double3(0, 15, 0), 1).Amplitude, Is.Zero);
+            Assert.That(geometry.PointOf(new double3(double.NaN, 5, 9), new double3(0, 15, 0), 1).Amplitude, Is.Zero);
         }
 
         // At 22 deg of vertical width a point 11 deg above the antenna loses 3 dB each way.

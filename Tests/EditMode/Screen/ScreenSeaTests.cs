@@ -91,9 +91,8 @@ namespace Glint.Tests
                 ScreenPoint At(double bearing, double height) => bench.Geometry.PointOf(new double3(
                     Range * Math.Sin(math.radians(bearing)), height, Range * Math.Cos(math.radians(bearing))),
                     new double3(0, 20, 0), 1e5);
-                var points = new[] { At(90, 10), At(100, -3) };
-                points[1].Amplitude = points[0].Amplitude; // the horizon has hidden it
-                points[1].Field = points[0].Field;
+                var points = new[] { At(90, 10), At(100, 10) };
+                points[1].Position.y = -23;
                 foreach (double turns in new[] { 85 / 360.0, 105 / 360.0 })
                 {
                     bench.Tracer.Begin(turns);

@@ -127,14 +127,13 @@ namespace Glint.Core
         {
             double3 way = position - antenna;
             double distance = math.length(way.xz), range = math.length(way);
-            int cell = (int)Math.Floor(range / CellSize);
+            if (!(range > 0 && range < Radar.RangeScale) || distance > Horizon(antenna.y) + Horizon(position.y))
+                return default;
             var point = new ScreenPoint
             {
-                Position = (float3)way, Cell = Math.Min(cell, Radar.Cells - 1),
+                Position = (float3)way, Cell = Math.Min((int)(range / CellSize), Radar.Cells - 1),
                 Spoke = SpokeOf(Math.Atan2(way.x, way.z) / (2 * Math.PI))
             };
-            if (!(range > 0) || cell >= Radar.Cells || distance > Horizon(antenna.y) + Horizon(position.y))
-                return point;
             double drop = distance * distance / (2 * ClutterGeometry.EarthRadius);
             double amplitude = Amplitude(section, range, Math.Atan2(way.y - drop, distance))
                 * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);

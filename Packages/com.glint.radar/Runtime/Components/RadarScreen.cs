@@ -201,8 +201,12 @@ namespace Glint
             _tracer.AddPoints(_points, points, _waves != null);
             _tracer.AddRain();
             _tracer.Finish(_receiver);
-            if (_picture != null)
-                _tracer.Draw(_picture, View(), QualitySettings.activeColorSpace == ColorSpace.Linear);
+            if (_picture == null)
+                return;
+            // A device that was lost takes the texture with it.
+            if (!_picture.IsCreated())
+                _picture.Create();
+            _tracer.Draw(_picture, View(), QualitySettings.activeColorSpace == ColorSpace.Linear);
         }
 
         void Update()
@@ -243,6 +247,9 @@ namespace Glint
             _isStale = false;
             Release();
             Check();
+            FiniteCheck.RefuseNotFinite(transform, Subject);
+            if (_ownShip != null)
+                FiniteCheck.RefuseNotFinite(_ownShip, Subject);
             _compass = Compass.Find(Subject);
             _tracer = new ScreenTracer(_kernel, Subject, _radar);
             _turns = _headingTurns = Heading();
@@ -259,7 +266,10 @@ namespace Glint
                 return;
             }
             if (_picture != null && _picture.width != _display.Side)
+            {
                 Free(_picture);
+                _picture = null;
+            }
             if (_picture == null)
                 _picture = new RenderTexture(_display.Side, _display.Side, 0, GraphicsFormat.R8G8B8A8_UNorm)
                 {

@@ -12,6 +12,7 @@ namespace Glint
         public static readonly int _ScreenPoints = Shader.PropertyToID("_ScreenPoints");
         public static readonly int _ScreenPointCount = Shader.PropertyToID("_ScreenPointCount");
         public static readonly int _ScreenSea = Shader.PropertyToID("_ScreenSea");
+        public static readonly int _ScreenSeaSeed = Shader.PropertyToID("_ScreenSeaSeed");
         public static readonly int _ScreenSeaCorner = Shader.PropertyToID("_ScreenSeaCorner");
         public static readonly int _Echoes = Shader.PropertyToID("_Echoes");
         public static readonly int _BeamWeights = Shader.PropertyToID("_BeamWeights");

@@ -70,7 +70,8 @@ namespace Glint
             shader.SetVector(SeaIDs._SeaWind, _clutter.Wind.ToVector());
             SeaSigma.SetMirrorPoints(shader, _table);
             shader.SetVector(ScreenIDs._ScreenSea, new Vector4((float)northTurns, FacetsOfACell,
-                (float)_breakingAcceleration, _clutter.Seed));
+                (float)_breakingAcceleration, 0));
+            shader.SetInt(ScreenIDs._ScreenSeaSeed, (int)_clutter.Seed);
             bool isHorizontal = _geometry.Radar.Polarisation == ScreenPolarisation.Horizontal;
             shader.SetVector(ScreenIDs._ScreenSeaCorner, new Vector4(_clutter.Wind.x > 0 ? 0 : 1,
                 _clutter.Wind.z > 0 ? 0 : 1, isHorizontal ? 2 : 0, (float)_geometry.FillFactor));

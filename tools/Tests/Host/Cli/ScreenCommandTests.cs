@@ -21,7 +21,7 @@ public sealed class ScreenCommandTests
         _folder = Directory.CreateTempSubdirectory("glint-ppi-").FullName;
         _scene = Path.Combine(s_root, "Assets", $"Ppi{Guid.NewGuid():N}.unity");
         Write("    Spokes: 4096", "    Spokes: 1024", "    Cells: 1024", "    Cells: 100", "    Side: 1024",
-            "    Side: 96", "  _motion: 2", "  _motion: 0");
+            "    Side: 96", "    RangeScale: 5556", "    RangeScale: 1000", "  _motion: 2", "  _motion: 0");
     }
 
     [TearDown]
@@ -72,8 +72,9 @@ public sealed class ScreenCommandTests
         using var receiver = new UdpClient(new IPEndPoint(IPAddress.Loopback, 0));
         receiver.Client.ReceiveTimeout = 5000;
         int port = ((IPEndPoint)receiver.Client.LocalEndPoint).Port;
-        // The loopback keeps what its buffer holds: the first datagrams.
-        Run("--turns", "1", "--fps", "1", "--udp", $"{port}");
+        // A turn takes a quarter of a second. The loopback keeps what its buffer holds: the first datagrams.
+        Write("    TurnsAMinute: 24", "    TurnsAMinute: 240");
+        Run("--turns", "1", "--fps", "10", "--udp", $"{port}");
         IPEndPoint from = null;
         var message = AsterixReader.Read(receiver.Receive(ref from)).Single();
         Assert.That((message.Index, message.Cells.Length), Is.EqualTo((0, 100)));
