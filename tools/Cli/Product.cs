@@ -42,7 +42,8 @@ sealed class Product
         using var cancellation = new Cancellation(_terminal);
         Project.Open(ProjectFolder.For(line.Input));
         Engine.DeviceSelector = line.Get(Options.Device);
-        int Work(IProgressSink progress) => Batch.Execute(line, progress);
+        int Work(IProgressSink progress) =>
+            line.Command == Commands.Ppi ? TurnScreen(line, progress) : Batch.Execute(line, progress);
         int exitCode = _terminal.Live == null
             ? Work(new ProgressLines(_terminal.Out, _terminal.Error, cancellation, TimeProvider.System))
             : ProgressBar.During(_terminal, cancellation, Work);
@@ -52,6 +53,26 @@ sealed class Product
         foreach (string text in _report)
             _terminal.Out.WriteLine(text);
         return exitCode;
+    }
+
+    // Unity has profilers for the time on the device.
+    int TurnScreen(CommandLine line, IProgressSink progress)
+    {
+        var clock = GraphicsDevice.IsNull ? null : GraphicsDevice.Current.Clock;
+        if (clock is not { IsSupported: true })
+            return Batch.Execute(line, progress);
+        clock.IsOn = true;
+        clock.Reset();
+        try
+        {
+            int exitCode = Batch.Execute(line, progress);
+            return exitCode != 0 ? exitCode
+                : Report([FormattableString.Invariant($"kernels on the device: {clock.Read():0.0} ms in all")]);
+        }
+        finally
+        {
+            clock.IsOn = false;
+        }
     }
 
     int Report(string[] lines, int exitCode = 0)

@@ -19,7 +19,7 @@ sealed unsafe class BoundSets
     internal BoundSets(ComputeProgram program) => _program = program;
 
     /// <summary>The set with these buffers, for a dispatch of <paramref name="batch"/>.</summary>
-    internal ulong Get(ReadOnlySpan<GpuBuffer> buffers, ulong uniforms, long batch)
+    internal ulong Get(ReadOnlySpan<GpuResource> buffers, ulong uniforms, long batch)
     {
         BoundSet oldest = null;
         foreach (var set in _sets)
@@ -59,7 +59,7 @@ sealed unsafe class BoundSets
             SType = StructureType.DescriptorSetAllocateInfo, Pool = _pools[^1], Count = 1, Layouts = &layout
         };
         VulkanException.Check(Native.vkAllocateDescriptorSets(_program.Device.Handle, &info, out ulong handle), bind);
-        var set = new BoundSet(handle, new GpuBuffer[_program.Slots.Count]);
+        var set = new BoundSet(handle, new GpuResource[_program.Slots.Count]);
         _sets.Add(set);
         return set;
     }
@@ -70,11 +70,12 @@ sealed unsafe class BoundSets
         var sizes = stackalloc DescriptorPoolSize[]
         {
             new() { Type = Native.StorageBuffer, Count = (uint)Math.Max(1, PoolSets * _program.Slots.Count) },
+            new() { Type = Native.StorageImage, Count = (uint)Math.Max(1, PoolSets * _program.Slots.Count) },
             new() { Type = Native.DynamicUniformBuffer, Count = (uint)Math.Max(1, PoolSets * _program.Blocks.Length) },
         };
         var info = new DescriptorPoolCreateInfo
         {
-            SType = StructureType.DescriptorPoolCreateInfo, MaxSets = PoolSets, SizeCount = 2, Sizes = sizes
+            SType = StructureType.DescriptorPoolCreateInfo, MaxSets = PoolSets, SizeCount = 3, Sizes = sizes
         };
         VulkanException.Check(
             Native.vkCreateDescriptorPool(_program.Device.Handle, &info, null, out ulong pool), bind);
@@ -88,31 +89,37 @@ sealed unsafe class BoundSets
         if (count == 0)
             return;
         var targets = stackalloc DescriptorBufferInfo[count];
+        var images = stackalloc DescriptorImageInfo[count];
         var writes = stackalloc WriteDescriptorSet[count];
         for (int i = 0; i < count; i++)
         {
             int block = i - slots.Count;
-            bool isBuffer = block < 0;
-            targets[i] = isBuffer
-                ? new DescriptorBufferInfo { Buffer = set.Buffers[i].Handle, Range = (ulong)set.Buffers[i].Bytes }
-                : new DescriptorBufferInfo { Buffer = uniforms, Range = (ulong)blocks[block].Bytes };
+            bool isSlot = block < 0;
+            var resource = isSlot ? set.Buffers[i] : null;
+            if (resource is GpuImage image)
+                images[i] = new DescriptorImageInfo { View = image.View, Layout = Native.GeneralLayout };
+            else
+                targets[i] = resource is GpuBuffer buffer
+                    ? new DescriptorBufferInfo { Buffer = buffer.Handle, Range = (ulong)buffer.Bytes }
+                    : new DescriptorBufferInfo { Buffer = uniforms, Range = (ulong)blocks[block].Bytes };
             writes[i] = new WriteDescriptorSet
             {
                 SType = StructureType.WriteDescriptorSet,
                 Set = set.Handle,
-                Binding = isBuffer ? slots[i].Binding : blocks[block].Binding,
+                Binding = isSlot ? slots[i].Binding : blocks[block].Binding,
                 Count = 1,
-                Type = isBuffer ? Native.StorageBuffer : Native.DynamicUniformBuffer,
+                Type = isSlot ? slots[i].DescriptorType : Native.DynamicUniformBuffer,
+                Image = images + i,
                 Buffer = targets + i,
             };
         }
         Native.vkUpdateDescriptorSets(_program.Device.Handle, (uint)count, writes, 0, null);
     }
 
-    sealed class BoundSet(ulong handle, GpuBuffer[] buffers)
+    sealed class BoundSet(ulong handle, GpuResource[] buffers)
     {
         internal ulong Handle => handle;
-        internal GpuBuffer[] Buffers => buffers;
+        internal GpuResource[] Buffers => buffers;
 
         /// <summary>Batch of the last dispatch with this set.</summary>
         internal long LastBatch { get; set; }

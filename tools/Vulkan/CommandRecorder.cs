@@ -56,7 +56,7 @@ sealed unsafe class CommandRecorder : IDisposable
     }
 
     internal void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms,
-        ReadOnlySpan<GpuBuffer> buffers, in GroupCounts groups)
+        ReadOnlySpan<GpuResource> buffers, in GroupCounts groups)
     {
         if (_recording && program.UniformBytes > UniformBytes - Current.UniformsUsed)
             Submit();
@@ -92,6 +92,38 @@ sealed unsafe class CommandRecorder : IDisposable
     {
         Begin();
         Native.vkCmdFillBuffer(Current.Commands, buffer, 0, ulong.MaxValue, 0);
+    }
+
+    /// <summary>Brings a new picture into the layout in which it stays, and makes it black and transparent.</summary>
+    internal void Clear(GpuImage image)
+    {
+        Begin();
+        var barrier = new ImageMemoryBarrier
+        {
+            SType = StructureType.ImageMemoryBarrier, To = Native.MemoryRead | Native.MemoryWrite,
+            OldLayout = Native.UndefinedLayout, NewLayout = Native.GeneralLayout,
+            FromFamily = Native.IgnoredFamily, ToFamily = Native.IgnoredFamily,
+            Image = image.Handle, Range = ImageRange.Whole
+        };
+        Native.vkCmdPipelineBarrier(Current.Commands, Native.TransferStage, Native.TransferStage, 0, 0, null, 0, null,
+            1, &barrier);
+        var black = stackalloc uint[4];
+        var range = ImageRange.Whole;
+        Native.vkCmdClearColorImage(Current.Commands, image.Handle, Native.GeneralLayout, black, 1, &range);
+        image.LastBatch = Batch;
+    }
+
+    /// <summary>Copies a picture's pixels to a buffer, row by row.</summary>
+    internal void Copy(GpuImage image, GpuBuffer target)
+    {
+        Begin();
+        var region = new BufferImageCopy
+        {
+            Aspect = ImageRange.Colour, LayerCount = 1, Width = (uint)image.Width, Height = (uint)image.Height,
+            Depth = 1
+        };
+        Native.vkCmdCopyImageToBuffer(Current.Commands, image.Handle, Native.GeneralLayout, target.Handle, 1, &region);
+        image.LastBatch = target.LastBatch = Batch;
     }
 
     internal void Upload(ReadOnlySpan<byte> data, GpuBuffer target, long offset)

@@ -19,6 +19,7 @@ public sealed unsafe class ComputeProgram : IDisposable
     internal ComputeProgram(VulkanDevice device, ReadOnlySpan<byte> spirv)
     {
         _device = device;
+        spirv = SpirvModule.WithImageFormat(spirv);
         _reflection = new Reflection(spirv);
         _cacheFile = new PipelineCacheFile(device.PipelineCacheFolder, device.Physical.PipelineCacheHeader,
             device.Physical.DriverVersion, spirv);
@@ -41,10 +42,10 @@ public sealed unsafe class ComputeProgram : IDisposable
     /// <summary>The kernel's name.</summary>
     public string Name => _reflection.EntryPoint;
 
-    /// <summary>Names in the HLSL source of the buffers that it uses. Unused declarations are left out.</summary>
+    /// <summary>Names in the HLSL source of the buffers and pictures that it uses. Unused declarations are left out.</summary>
     public IReadOnlyList<string> Buffers { get; }
 
-    /// <summary>The buffers with their element types and strides, in the order of <see cref="Buffers"/>.</summary>
+    /// <summary>The buffers and pictures with their element types and strides, in the order of <see cref="Buffers"/>.</summary>
     public IReadOnlyList<BufferSlot> Slots => _reflection.Buffers;
 
     /// <summary>Bytes of uniforms of a dispatch.</summary>
@@ -112,8 +113,9 @@ public sealed unsafe class ComputeProgram : IDisposable
 
     void CheckLimits(DeviceLimits limits)
     {
-        if (Slots.Count > limits.MaxStorageBuffersPerStage)
-            throw new VulkanException($"kernel {Name} uses {Slots.Count} buffers, "
+        int buffers = Slots.Count(slot => !slot.IsImage);
+        if (buffers > limits.MaxStorageBuffersPerStage)
+            throw new VulkanException($"kernel {Name} uses {buffers} buffers, "
                 + $"{_device.Info.Name} takes {limits.MaxStorageBuffersPerStage}");
         if (Blocks.FirstOrDefault(block => block.Bytes > limits.MaxUniformBufferRange) is { Bytes: > 0 } large)
             throw new VulkanException($"kernel {Name} has {large.Bytes:N0} bytes of uniforms in one block, "
@@ -146,7 +148,7 @@ public sealed unsafe class ComputeProgram : IDisposable
 
     void CreateLayout()
     {
-        var bindings = Slots.Select(slot => (slot.Binding, Type: Native.StorageBuffer))
+        var bindings = Slots.Select(slot => (slot.Binding, Type: slot.DescriptorType))
             .Concat(Blocks.Select(block => (block.Binding, Type: Native.DynamicUniformBuffer)))
             .Select(binding => new DescriptorSetLayoutBinding
             {

@@ -4,16 +4,15 @@ using System.Runtime.InteropServices;
 namespace Glint.Vulkan;
 
 /// <summary>Device memory that kernels read and write; zero when new.</summary>
-public sealed unsafe class GpuBuffer : IDisposable
+public sealed unsafe class GpuBuffer : GpuResource
 {
     /// <summary>Up to this size a second copy, through the staging buffer, costs less than a wait.</summary>
     const int SmallBytes = 1 << 20;
 
     Allocation _allocation;
 
-    internal GpuBuffer(VulkanDevice device, long bytes, bool map)
+    internal GpuBuffer(VulkanDevice device, long bytes, bool map) : base(device)
     {
-        Device = device;
         Bytes = bytes;
         _allocation = Allocation.ForKernels(device, bytes, map);
         if (_allocation.Mapped != null)
@@ -29,14 +28,9 @@ public sealed unsafe class GpuBuffer : IDisposable
 
     public long Bytes { get; }
 
-    /// <summary>True if the buffer or its device was disposed.</summary>
-    public bool IsDisposed => _allocation == null;
+    public override bool IsDisposed => _allocation == null;
 
-    internal VulkanDevice Device { get; }
     internal ulong Handle => Live.Buffer;
-
-    /// <summary>Batch of the last recorded command that uses this buffer.</summary>
-    internal long LastBatch { get; set; }
 
     Allocation Live => _allocation
         ?? throw new ObjectDisposedException(nameof(GpuBuffer), $"this buffer of {Bytes:N0} bytes was disposed");
@@ -79,22 +73,7 @@ public sealed unsafe class GpuBuffer : IDisposable
         return Device.Recorder.Download(this, offset, target, bytes);
     }
 
-    public void Dispose()
-    {
-        if (_allocation == null)
-            return;
-        try
-        {
-            Device.FinishIfAlive(LastBatch);
-        }
-        finally
-        {
-            Device.Forget(this);
-            Destroy();
-        }
-    }
-
-    internal void Destroy()
+    internal override void Destroy()
     {
         if (!Device.IsAbandoned)
             _allocation?.Dispose();

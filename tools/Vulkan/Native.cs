@@ -11,11 +11,16 @@ static unsafe class Native
     /// <summary>File name of the loader on this operating system.</summary>
     internal static readonly string LoaderFile = OperatingSystem.IsWindows() ? "vulkan-1.dll" : "libvulkan.so.1";
 
-    internal const uint StorageBuffer = 7, DynamicUniformBuffer = 8;                    // VkDescriptorType
+    internal const uint StorageImage = 3, StorageBuffer = 7, DynamicUniformBuffer = 8;                    // VkDescriptorType
     internal const uint DeviceLocal = 1, HostVisible = 2, HostCoherent = 4, HostCached = 8; // VkMemoryPropertyFlags
     // VkBufferUsageFlags
     internal const uint TransferSource = 1, TransferTarget = 2, UniformUsage = 16, StorageUsage = 32,
         IndirectUsage = 256;
+    internal const uint ImageStorageUsage = 8;                                          // VkImageUsageFlags
+    internal const uint Image2D = 1, View2D = 1;                            // VkImageType, VkImageViewType
+    internal const uint Rgba8 = 37;                                                     // VkFormat
+    internal const uint UndefinedLayout = 0, GeneralLayout = 1;                         // VkImageLayout
+    internal const uint IgnoredFamily = uint.MaxValue;
     // VkPipelineStageFlags
     internal const uint IndirectStage = 2, ComputeStage = 0x800, TransferStage = 0x1000, BottomOfPipe = 0x2000,
         HostStage = 0x4000;
@@ -63,6 +68,19 @@ static unsafe class Native
         out MemoryRequirements requirements);
     [DllImport(Loader)]
     internal static extern int vkBindBufferMemory(nint device, ulong buffer, ulong memory, ulong offset);
+
+    [DllImport(Loader)]
+    internal static extern int vkCreateImage(nint device, ImageCreateInfo* info, void* allocator, out ulong image);
+    [DllImport(Loader)] internal static extern void vkDestroyImage(nint device, ulong image, void* allocator);
+    [DllImport(Loader)]
+    internal static extern void vkGetImageMemoryRequirements(nint device, ulong image,
+        out MemoryRequirements requirements);
+    [DllImport(Loader)]
+    internal static extern int vkBindImageMemory(nint device, ulong image, ulong memory, ulong offset);
+    [DllImport(Loader)]
+    internal static extern int vkCreateImageView(nint device, ImageViewCreateInfo* info, void* allocator,
+        out ulong view);
+    [DllImport(Loader)] internal static extern void vkDestroyImageView(nint device, ulong view, void* allocator);
 
     [DllImport(Loader)]
     internal static extern int vkCreateShaderModule(nint device, ShaderModuleCreateInfo* info,
@@ -133,6 +151,12 @@ static unsafe class Native
         uint memoryCount, MemoryBarrier* memory, uint bufferCount, void* buffers, uint imageCount, void* images);
     [DllImport(Loader)]
     internal static extern void vkCmdCopyBuffer(nint commands, ulong from, ulong to, uint count, BufferCopy* copies);
+    [DllImport(Loader)]
+    internal static extern void vkCmdClearColorImage(nint commands, ulong image, uint layout, uint* colour,
+        uint rangeCount, ImageRange* ranges);
+    [DllImport(Loader)]
+    internal static extern void vkCmdCopyImageToBuffer(nint commands, ulong image, uint layout, ulong buffer,
+        uint count, BufferImageCopy* regions);
     [DllImport(Loader)]
     internal static extern void vkCmdResetQueryPool(nint commands, ulong pool, uint first, uint count);
     [DllImport(Loader)]

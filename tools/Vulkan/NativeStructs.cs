@@ -12,12 +12,13 @@ static class StructureType
     internal const int ApplicationInfo = 0, InstanceCreateInfo = 1, DeviceQueueCreateInfo = 2,
         DeviceCreateInfo = 3, SubmitInfo = 4,
         MemoryAllocateInfo = 5, FenceCreateInfo = 8, QueryPoolCreateInfo = 11, BufferCreateInfo = 12,
+        ImageCreateInfo = 14, ImageViewCreateInfo = 15,
         ShaderModuleCreateInfo = 16, PipelineCacheCreateInfo = 17, PipelineShaderStageCreateInfo = 18,
         ComputePipelineCreateInfo = 29, PipelineLayoutCreateInfo = 30,
         DescriptorSetLayoutCreateInfo = 32, DescriptorPoolCreateInfo = 33,
         DescriptorSetAllocateInfo = 34, WriteDescriptorSet = 35,
         CommandPoolCreateInfo = 39, CommandBufferAllocateInfo = 40,
-        CommandBufferBeginInfo = 42, MemoryBarrier = 46, PhysicalDeviceProperties2 = 1000059001,
+        CommandBufferBeginInfo = 42, ImageMemoryBarrier = 45, MemoryBarrier = 46, PhysicalDeviceProperties2 = 1000059001,
         PhysicalDeviceMaintenance3Properties = 1000168000,
         PhysicalDeviceDriverProperties = 1000196000;
 }
@@ -119,6 +120,46 @@ unsafe struct BufferCreateInfo
         QueueFamilyCount; internal uint* QueueFamilies;
 }
 
+/// <summary>Part of a picture: aspect, levels of detail, layers.</summary>
+struct ImageRange
+{
+    internal const uint Colour = 1;
+
+    internal uint Aspect, FirstLevel, LevelCount, FirstLayer, LayerCount;
+
+    internal static ImageRange Whole => new() { Aspect = Colour, LevelCount = 1, LayerCount = 1 };
+}
+
+unsafe struct ImageCreateInfo
+{
+    internal int SType; internal void* Next; internal uint Flags, ImageType, Format, Width, Height, Depth, MipLevels,
+        ArrayLayers, Samples, Tiling, Usage, SharingMode, QueueFamilyCount; internal uint* QueueFamilies;
+    internal uint InitialLayout;
+}
+
+unsafe struct ImageViewCreateInfo
+{
+    internal int SType; internal void* Next; internal uint Flags; internal ulong Image; internal uint ViewType, Format;
+    internal uint Red, Green, Blue, Alpha; internal ImageRange Range;
+}
+
+unsafe struct ImageMemoryBarrier
+{
+    internal int SType; internal void* Next; internal uint From, To, OldLayout, NewLayout, FromFamily, ToFamily;
+    internal ulong Image; internal ImageRange Range;
+}
+
+struct BufferImageCopy
+{
+    internal ulong Offset; internal uint RowLength, ImageHeight, Aspect, Level, FirstLayer, LayerCount;
+    internal int X, Y, Z; internal uint Width, Height, Depth;
+}
+
+struct DescriptorImageInfo
+{
+    internal ulong Sampler, View; internal uint Layout;
+}
+
 unsafe struct QueryPoolCreateInfo
 {
     internal int SType; internal void* Next; internal uint Flags;
@@ -188,7 +229,7 @@ struct DescriptorBufferInfo
 unsafe struct WriteDescriptorSet
 {
     internal int SType; internal void* Next; internal ulong Set; internal uint Binding, ArrayElement, Count, Type;
-    internal void* Image; internal DescriptorBufferInfo* Buffer; internal void* TexelBuffer;
+    internal DescriptorImageInfo* Image; internal DescriptorBufferInfo* Buffer; internal void* TexelBuffer;
 }
 
 unsafe struct CommandPoolCreateInfo

@@ -44,9 +44,16 @@ sealed class Reflection
                 continue; // inputs, locals and groupshared memory
             uint block = _module.Types[variable.PointerType].Operands[1];
             string name = _module.Name(variable.Id) is { Length: > 0 } own ? own : _module.Name(block);
+            if (_module.IsStorageImage(block))
+            {
+                _buffers.Add(new BufferSlot(name, 0, "float4", true)
+                { Binding = _module.Value(variable.Id, Decoration.Binding) });
+                continue;
+            }
             if (_module.Types[block].Op != Op.TypeStruct || variable.Storage == StorageClass.PushConstant)
                 throw new VulkanException($"kernel {EntryPoint}: {name} is a texture, sampler, buffer array or push "
-                    + "constant; only structured and byte address buffers and uniforms are supported");
+                    + "constant; only structured and byte address buffers, RWTexture2D<float4> and uniforms are "
+                    + "supported");
             if (_module.Value(variable.Id, Decoration.DescriptorSet) != 0)
                 throw new VulkanException($"kernel {EntryPoint}: {name} has a register space; leave register() out");
 

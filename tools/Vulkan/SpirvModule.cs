@@ -14,6 +14,10 @@ sealed class SpirvModule
     const uint Magic = 0x07230203;
     const int HeaderWords = 5;
 
+    // Word of OpTypeImage that holds the format, and formats.
+    const int ImageFormat = 8;
+    const uint Rgba32Float = 1, Rgba8 = 4;
+
     readonly Dictionary<uint, string> _names = [];
     readonly Dictionary<(uint Type, int Member), string> _memberNames = [];
     readonly Dictionary<(uint Id, Decoration Kind), uint> _decorations = [];
@@ -43,6 +47,24 @@ sealed class SpirvModule
         if (EntryPoint == null || last != Op.FunctionEnd)
             throw CutOff(code.Length);
     }
+
+    /// <summary>
+    /// A copy of a module whose pictures of four floats (RWTexture2D&lt;float4&gt;) have the format of
+    /// <see cref="GpuImage"/>: HLSL names none, and glslang takes one of 16 bytes a pixel.
+    /// </summary>
+    internal static byte[] WithImageFormat(ReadOnlySpan<byte> code)
+    {
+        byte[] copy = code.ToArray();
+        var words = MemoryMarshal.Cast<byte, uint>(copy.AsSpan());
+        for (int at = HeaderWords; at < words.Length && words[at] >> 16 != 0; at += (int)(words[at] >> 16))
+            if ((Op)(words[at] & 0xffff) == Op.TypeImage && words[at + ImageFormat] == Rgba32Float)
+                words[at + ImageFormat] = Rgba8;
+        return copy;
+    }
+
+    /// <summary>Whether a type is a picture of two dimensions that a kernel writes.</summary>
+    internal bool IsStorageImage(uint type) =>
+        Types[type] is { Op: Op.TypeImage, Operands: [_, 1, _, 0, 0, 2, Rgba8, ..] };
 
     internal string Name(uint id) => _names.GetValueOrDefault(id, "");
     internal string MemberName(uint type, int member) => _memberNames.GetValueOrDefault((type, member), "");
@@ -89,7 +111,7 @@ enum Op
 {
     None = 0, Name = 5, MemberName = 6, EntryPoint = 15, ExecutionMode = 16,
     TypeVoid = 19, TypeBool = 20, TypeInt = 21, TypeFloat = 22, TypeVector = 23, TypeMatrix = 24,
-    TypeArray = 28, TypeRuntimeArray = 29,
+    TypeImage = 25, TypeArray = 28, TypeRuntimeArray = 29,
     TypeStruct = 30, TypePointer = 32, Constant = 43, FunctionEnd = 56,
     Variable = 59, Decorate = 71, MemberDecorate = 72,
 }

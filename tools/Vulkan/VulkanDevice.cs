@@ -10,7 +10,7 @@ namespace Glint.Vulkan;
 public sealed unsafe class VulkanDevice : IDisposable
 {
     readonly Instance _instance;
-    readonly HashSet<GpuBuffer> _buffers = [];
+    readonly HashSet<GpuResource> _resources = [];
     readonly HashSet<ComputeProgram> _programs = [];
     readonly bool _mapBuffers;
     CommandRecorder _recorder;
@@ -63,7 +63,7 @@ public sealed unsafe class VulkanDevice : IDisposable
         PipelineCacheFile.UserFolder(Environment.GetEnvironmentVariable);
 
     /// <summary>Buffers that are not disposed.</summary>
-    internal IReadOnlyCollection<GpuBuffer> Buffers => _buffers;
+    internal IReadOnlyCollection<GpuBuffer> Buffers => _resources.OfType<GpuBuffer>().ToArray();
 
     internal CommandRecorder Recorder
     {
@@ -119,8 +119,19 @@ public sealed unsafe class VulkanDevice : IDisposable
                 + $"which takes {Limits.MaxStorageBufferRange:N0}; use fewer rays or a smaller scene, "
                 + "or choose another device with --device");
         var buffer = new GpuBuffer(this, bytes, _mapBuffers);
-        _buffers.Add(buffer);
+        _resources.Add(buffer);
         return buffer;
+    }
+
+    /// <summary>A picture of zeros.</summary>
+    public GpuImage CreateImage(int width, int height)
+    {
+        if (width <= 0 || height <= 0)
+            throw new ArgumentOutOfRangeException(nameof(width), $"a picture of {width} x {height} pixels");
+        _ = Recorder;
+        var image = new GpuImage(this, width, height);
+        _resources.Add(image);
+        return image;
     }
 
     public ComputeProgram CreateProgram(ReadOnlySpan<byte> spirv)
@@ -152,8 +163,8 @@ public sealed unsafe class VulkanDevice : IDisposable
     /// waits.
     /// </summary>
     /// <param name="uniforms">The program's <see cref="ComputeProgram.UniformBytes"/> bytes; copied.</param>
-    /// <param name="buffers">Buffers in the order of <see cref="ComputeProgram.Slots"/>.</param>
-    public void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuBuffer> buffers,
+    /// <param name="buffers">Buffers and pictures in the order of <see cref="ComputeProgram.Slots"/>.</param>
+    public void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuResource> buffers,
         uint groupsX, uint groupsY, uint groupsZ)
     {
         var recorder = Recorder;
@@ -171,7 +182,7 @@ public sealed unsafe class VulkanDevice : IDisposable
     /// </summary>
     /// <param name="buffers">Buffers in the order of <see cref="ComputeProgram.Slots"/>.</param>
     public void DispatchIndirect(ComputeProgram program, ReadOnlySpan<byte> uniforms,
-        ReadOnlySpan<GpuBuffer> buffers, GpuBuffer arguments, long offset)
+        ReadOnlySpan<GpuResource> buffers, GpuBuffer arguments, long offset)
     {
         var recorder = Recorder;
         Check(program, uniforms, buffers);
@@ -182,7 +193,7 @@ public sealed unsafe class VulkanDevice : IDisposable
         recorder.Dispatch(program, uniforms, buffers, new GroupCounts(arguments, offset));
     }
 
-    void Check(ComputeProgram program, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuBuffer> buffers)
+    void Check(ComputeProgram program, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuResource> buffers)
     {
         if (program.Device != this)
             throw new VulkanException($"kernel {program.Name} was made for another device");
@@ -194,7 +205,7 @@ public sealed unsafe class VulkanDevice : IDisposable
         _ = program.Pipeline;
     }
 
-    void CheckBuffer(ComputeProgram program, string name, GpuBuffer buffer)
+    void CheckBuffer(ComputeProgram program, string name, GpuResource buffer)
     {
         if (buffer == null)
             throw new VulkanException($"kernel {program.Name}: buffer {name} is not set");
@@ -225,15 +236,16 @@ public sealed unsafe class VulkanDevice : IDisposable
             Native.vkDeviceWaitIdle(_handle); // a lost device returns an error and can still be destroyed
             foreach (var program in _programs)
                 program.Destroy();
-            foreach (var buffer in _buffers)
-                buffer.Destroy();
+            // A picture disposes the buffer that it is copied to.
+            foreach (var resource in _resources.OrderByDescending(resource => resource is GpuImage).ToArray())
+                resource.Destroy();
             _recorder.Dispose();
             Clock.Destroy();
             Native.vkDestroyDevice(_handle, null);
             _instance.Dispose();
         }
         _programs.Clear();
-        _buffers.Clear();
+        _resources.Clear();
         _recorder = null;
         _handle = 0;
     }
@@ -248,7 +260,7 @@ public sealed unsafe class VulkanDevice : IDisposable
             Recorder.Finish(batch);
     }
 
-    internal void Forget(GpuBuffer buffer) => _buffers.Remove(buffer);
+    internal void Forget(GpuResource resource) => _resources.Remove(resource);
 
     internal void Forget(ComputeProgram program) => _programs.Remove(program);
 }

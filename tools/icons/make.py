@@ -65,6 +65,15 @@ ICONS = {
         (line([(4, 4), (4 + 3 * math.cos(math.radians(20)), 4 + 3 * math.sin(math.radians(20)))], 0.5), BLUE, 1),
         (disc(2.7, 5.1, 0.65), ORANGE, 1),
     ],
+    # A round screen with rings, the antenna's line and echoes.
+    'RadarScreen': [
+        (disc(4, 4, 3.4), DEEP, 0.35),
+        (ring(4, 4, 3.35, 0.6), BLUE, 1),
+        (ring(4, 4, 1.6, 0.4), BLUE, 0.9),
+        (line([(4, 4), (5.7, 6.9)], 0.5), BLUE, 1),
+        (disc(2.2, 5.2, 0.5), ORANGE, 1),
+        (disc(5.9, 3.1, 0.65), ORANGE, 1),
+    ],
     # The lobes of a polar plot.
     'RadarCrossSection': [
         (ring(4, 4, 3.35, 0.5), GREY, 1),

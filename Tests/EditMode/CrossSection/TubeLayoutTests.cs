@@ -107,8 +107,15 @@ namespace Glint.Tests
                 ["SEA_LIT_AREA"] = ClutterSums.LitArea, ["SEA_OVERFLOW"] = ClutterSums.Overflow,
                 ["SEA_WORDS"] = ClutterSums.CopyWords, ["SEA_FIELD_UNITS"] = ClutterSums.FieldUnits,
                 ["SEA_POWER_UNITS"] = ClutterSums.PowerUnits, ["SEA_AREA_UNITS"] = ClutterSums.AreaUnits,
-                ["SEA_MAX_UNITS"] = 4e18, ["FACET_ROWS"] = FacetTable.Rows, ["FACET_COLUMNS"] = FacetTable.Columns,
+                ["SEA_MAX_UNITS"] = 4e18,
                 ["GRAVITY"] = SeaSpectrum.Gravity, ["TENSION"] = ClutterMotion.Tension
+            }));
+
+        [Test]
+        public void Constants_OfSigma_AreThoseOfCSharp() =>
+            Assert.That(ShaderConstants.Of("SeaSigma.hlsl"), Is.EquivalentTo(new Dictionary<string, double>
+            {
+                ["FACET_ROWS"] = FacetTable.Rows, ["FACET_COLUMNS"] = FacetTable.Columns
             }));
 
         // Sums and counts share a buffer, and the arguments of dispatches another one.

@@ -52,6 +52,20 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void RadarScreen_OfAShip_TurnsOnItsMast()
+        {
+            var ship = new GameObject("Ship").transform;
+            ship.position = new Vector3(10, 1, 20);
+            var screen = SceneObjects.MakeScreen(ship.gameObject);
+            Assert.That(screen.transform.position, Is.EqualTo(new Vector3(10, 16, 20)));
+            Assert.That(screen.OwnShip, Is.SameAs(ship));
+            screen.Radar = ScreenBench.Small();
+            screen.Advance(0.1);
+            Assert.That(screen.Picture.width, Is.EqualTo(screen.Display.Side));
+            Assert.That(SceneObjects.MakeScreen(null).OwnShip, Is.Null);
+        }
+
+        [Test]
         public void Radar_OfASelectedObject_LooksAtItsMiddleFromWhereAllOfItIsSeen()
         {
             var box = GameObject.CreatePrimitive(PrimitiveType.Cube).transform;
@@ -135,18 +149,18 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Menu_HasFiveItemsThatMakeThem()
+        public void Menu_HasSixItemsThatMakeThem()
         {
             var items = typeof(GlintMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
                 .Where(method => method.IsDefined(typeof(MenuItem), false)).ToArray();
             Assert.That(items.Select(item => item.GetCustomAttribute<MenuItem>().menuItem), Is.EquivalentTo(new[]
                 {
                     "GameObject/Glint/Radar", "GameObject/Glint/Cross section", "GameObject/Glint/Corner reflector",
-                    "GameObject/Glint/Sea", "GameObject/Glint/Ship"
+                    "GameObject/Glint/Sea", "GameObject/Glint/Ship", "GameObject/Glint/Radar screen"
                 }));
             foreach (var item in items)
                 item.Invoke(null, new object[] { new MenuCommand(null) });
-            Assert.That(EditorSceneManager.GetActiveScene().rootCount, Is.EqualTo(5));
+            Assert.That(EditorSceneManager.GetActiveScene().rootCount, Is.EqualTo(6));
         }
     }
 }

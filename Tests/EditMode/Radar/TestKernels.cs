@@ -42,6 +42,8 @@ namespace Glint.Tests
 
         public static ComputeShader SeaField => Load("Packages/com.glint.radar/Shaders/SeaField.compute");
 
+        public static ComputeShader Screen => Load("Packages/com.glint.radar/Shaders/Screen.compute");
+
         public static ComputeShader SeaFieldLayout =>
             Load("Packages/com.glint.tests/EditMode/Shaders/SeaFieldLayout.compute");
 

@@ -17,6 +17,14 @@ namespace Glint.Core
                     + $"it must be {range}");
         }
 
+        public static void Within(string owner, Measure measure, object settings)
+        {
+            double value = measure.Of(settings);
+            if (!measure.Range.Contains(value))
+                throw new GlintException($"{owner}: {measure.Title.ToLowerInvariant()} {RadarSettings.Text(value)}"
+                    + $"{Space(measure.Unit)}{measure.Unit} must be {measure.Range}: {measure.Help}");
+        }
+
         public static void Count(string owner, string name, int value, int max) =>
             Within(owner, name, value, "", Interval.Closed(1, max));
 

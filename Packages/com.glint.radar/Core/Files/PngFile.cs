@@ -7,8 +7,8 @@ namespace Glint.Core
     /// <summary>Writes pictures as PNG.</summary>
     public static class PngFile
     {
-        // Bits of a sample, and the colour type of grey levels.
-        const byte Bits = 8, Grey = 0;
+        // Bits of a sample, and colour types: grey levels; red, green, blue and opacity.
+        const byte Bits = 8, Grey = 0, Colour = 6;
 
         // Header of a zlib stream with the usual window, without a dictionary.
         static readonly byte[] s_zlib = { 0x78, 0x01 };
@@ -16,19 +16,28 @@ namespace Glint.Core
         /// <summary>Writes a picture of grey levels.</summary>
         /// <param name="output">Stays open.</param>
         /// <param name="levels">Row by row from the top, 0 black and 255 white.</param>
-        public static void WriteGrey(Stream output, int width, byte[] levels)
+        public static void WriteGrey(Stream output, int width, byte[] levels) =>
+            Write(output, width, levels, 1, Grey);
+
+        /// <summary>Writes a picture of colours.</summary>
+        /// <param name="output">Stays open.</param>
+        /// <param name="pixels">Red, green, blue and opacity, row by row from the top.</param>
+        public static void WriteColour(Stream output, int width, byte[] pixels) =>
+            Write(output, width, pixels, 4, Colour);
+
+        static void Write(Stream output, int width, byte[] pixels, int pixelBytes, byte colourType)
         {
-            int height = levels.Length / width;
+            int rowBytes = width * pixelBytes, height = pixels.Length / rowBytes;
             output.Write(new byte[] { 0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A }, 0, 8);
             var header = new MemoryStream();
             WriteNumber(header, (uint)width);
             WriteNumber(header, (uint)height);
-            header.Write(new byte[] { Bits, Grey, 0, 0, 0 }, 0, 5);
+            header.Write(new[] { Bits, colourType, (byte)0, (byte)0, (byte)0 }, 0, 5);
             WriteChunk(output, "IHDR", header.ToArray());
             // Each row begins with its filter: none.
-            var rows = new byte[height * (width + 1)];
+            var rows = new byte[height * (rowBytes + 1)];
             for (int row = 0; row < height; row++)
-                System.Array.Copy(levels, row * width, rows, row * (width + 1) + 1, width);
+                System.Array.Copy(pixels, row * rowBytes, rows, row * (rowBytes + 1) + 1, rowBytes);
             WriteChunk(output, "IDAT", Compressed(rows));
             WriteChunk(output, "IEND", new byte[0]);
         }

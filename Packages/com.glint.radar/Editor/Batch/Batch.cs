@@ -36,6 +36,9 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint clutter</c>.</summary>
         public static void Clutter() => ExecuteAndExit(Commands.Clutter, Environment.GetCommandLineArgs());
 
+        /// <summary>Entry of Unity's -executeMethod: <c>glint ppi</c>.</summary>
+        public static void Ppi() => ExecuteAndExit(Commands.Ppi, Environment.GetCommandLineArgs());
+
         /// <summary>Entry of Unity's -executeMethod: <c>glint merge</c>.</summary>
         public static void Merge() => ExecuteAndExit(Commands.Merge, Environment.GetCommandLineArgs());
 

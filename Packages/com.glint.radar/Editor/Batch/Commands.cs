@@ -249,6 +249,30 @@ namespace Glint.Editor
                 }
         };
 
+        /// <summary>Turns the radar screen of a scene.</summary>
+        public static readonly Command Ppi = new Command("ppi", "Turn the radar screen (PPI) of a scene, frame by "
+            + "frame, and write the last turn as picture.png and video.npz.")
+        {
+            Inputs = InputKind.Scene,
+            Options = ScreenOptions.All,
+            Notes = new[]
+                {
+                    "The scene has one RadarScreen, whose settings hold. Ships with Underway move, and seas whose motion "
+                        + "is Waves; scripts do not run.",
+                    "video.npz has bearing_deg, range_m, power_dbw and video (spoke by cell), noise_dbw and heading_deg. "
+                        + "Powers are those behind beam and pulse, before the receiver's controls.",
+                    "Without --out the files go to Results/<name of the scene>-ppi beside the project's Assets."
+                },
+            Handler = ScreenCommand.Execute,
+            UnityMethod = "Glint.Editor.Batch.Ppi",
+            Examples = new[]
+                {
+                    Example("ppi Scenes/HarbourApproach.unity --out harbour", "Two turns: 5 s of the scene."),
+                    Example("ppi Scenes/HarbourApproach.unity --turns 24 --udp 4378",
+                        "A minute of radar video for a chart plotter on this machine.")
+                }
+        };
+
         /// <summary>Makes an HTML report of results.</summary>
         public static readonly Command Report = new Command("report", "Write one HTML file of a sweep, run, "
             + "cross sections, range profiles or sea clutter that opens offline: charts, table, and the scene in 3-D "
@@ -431,7 +455,7 @@ namespace Glint.Editor
         public static IReadOnlyList<Command> All { get; } =
             new[]
             {
-                Sweep, Merge, Run, Rcs, Echo, Isar, Clutter, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info,
+                Sweep, Merge, Run, Rcs, Echo, Isar, Clutter, Ppi, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info,
                 Completion
             };
 

@@ -25,6 +25,12 @@ namespace Glint.Editor
         /// <summary>The kernels of radars with a tolerance; null if their import failed.</summary>
         public static ComputeShader TubeKernel => LoadShader("Amplitude.compute");
 
+        /// <summary>The kernels of radar screens; null if their import failed.</summary>
+        public static ComputeShader ScreenKernel => LoadShader("Screen.compute");
+
+        /// <summary>The kernels of a sea's height field; null if their import failed.</summary>
+        public static ComputeShader SeaKernel => LoadShader("SeaField.compute");
+
         /// <summary>Unity's material of new objects in the current render pipeline.</summary>
         public static Material StandardMaterial => PipelineMaterial.Default != null ? PipelineMaterial.Default
             : AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");

@@ -19,6 +19,9 @@ namespace Glint.Editor
         // The radar's camera is not a view of the scene: other cameras draw over it.
         const float DrawnFirst = -10;
 
+        // Metres, as IMO MSC.192(79) assumes.
+        const float MastHeight = 15;
+
         /// <summary>
         /// A radar with its receiver and its ray paths. It looks down on an object at the angle of the published
         /// experiment, from a distance at which the whole object is visible. Without an object it has the pose of the
@@ -52,6 +55,20 @@ namespace Glint.Editor
             made.Target = target != null ? target.transform : null;
             AddToScene(made.gameObject, null);
             return made;
+        }
+
+        /// <summary>A radar screen with its picture over the game view, on the mast of a ship.</summary>
+        /// <param name="ship">May be null.</param>
+        public static RadarScreen MakeScreen(GameObject ship)
+        {
+            var screen = new GameObject("Radar Screen").AddComponent<RadarScreen>();
+            (screen.Kernel, screen.SeaKernel) = (ProjectAssets.ScreenKernel, ProjectAssets.SeaKernel);
+            screen.gameObject.AddComponent<RadarScreenOverlay>();
+            AddToScene(screen.gameObject, ship);
+            var mast = screen.transform;
+            mast.localPosition = new Vector3(mast.localPosition.x, MastHeight, mast.localPosition.z);
+            screen.OwnShip = ship != null ? ship.transform : null;
+            return screen;
         }
 
         /// <summary>
@@ -135,6 +152,9 @@ namespace Glint.Editor
             if (command.context == null || command.context == Selection.activeGameObject)
                 SceneObjects.MakeCrossSection(command.context as GameObject);
         }
+
+        [MenuItem(Folder + "Radar screen", false, Priority)]
+        static void MakeScreen(MenuCommand command) => SceneObjects.MakeScreen(command.context as GameObject);
 
         [MenuItem(Folder + "Corner reflector", false, Priority)]
         static void MakeCornerReflector(MenuCommand command) =>

@@ -41,8 +41,7 @@ namespace Glint
             _velocities = velocities;
             var table = sea.Clutter.TableAt(frequency);
             if (table != _table)
-                Table.Upload(Enumerable.Range(0, table.Values.Length / 4).Select(i => new float4(table.Values[4 * i],
-                    table.Values[4 * i + 1], table.Values[4 * i + 2], table.Values[4 * i + 3])).ToArray());
+                SeaSigma.Upload(table, Table);
             (_mesh, _breaking, _table) = (mesh, breaking, table);
             FacetCount = mesh.TriangleCount;
             TileCount = sea.Tiles.Count;

@@ -96,7 +96,7 @@ namespace Glint
             _shader.SetVector(ShaderIDs._SceneCentreExtent, KernelCalls.ToVector(_scene.Centre, (float)extent));
             _shader.SetFloat(TubeIDs._WaveNumber, (float)(2 * Math.PI / Signal.Wavelength(frequency)));
             _shader.SetVector(SeaIDs._SeaWind, KernelCalls.ToVector(clutter.Wind, (float)(RelativeOffset * extent)));
-            SetMirrorPoints(clutter.TableAt(frequency));
+            SeaSigma.SetMirrorPoints(_shader, clutter.TableAt(frequency));
             // One speckle for all frequencies of a band: it is the sea's.
             double centre = pose.BandCentre ?? frequency, now = clutter.Time + time,
                 times = now / clutter.CoherenceTimeAt(centre), whole = Math.Floor(times);
@@ -106,16 +106,6 @@ namespace Glint
             _shader.SetFloat(SeaIDs._SeaElapsed, (float)time);
             SetFootprint(pose.Footprint);
             SetCells(grid);
-        }
-
-        void SetMirrorPoints(FacetTable table)
-        {
-            double2 variance = table.Unresolved;
-            double determinant = variance.x * variance.y - table.Covariance * table.Covariance;
-            _shader.SetVector(SeaIDs._SeaMirror, !(variance.x > 0 && determinant > 0) ? Vector4.zero : new Vector4(
-                (float)(variance.y / (2 * determinant)), (float)(variance.x / (2 * determinant)),
-                (float)(-table.Covariance / (2 * determinant)),
-                (float)(table.MirrorPower / (2 * Math.Sqrt(determinant)))));
         }
 
         void SetLevel(ClutterLevelTable level)

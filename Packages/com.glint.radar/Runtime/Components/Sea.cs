@@ -220,7 +220,7 @@ namespace Glint
             Check();
             var shown = CurrentSnapshot;
             var waves = ShownWaves;
-            double time = shown == null ? _timeSeconds : shown.TimeSeconds;
+            double time = ShownTime;
             try
             {
                 double3 wind = WindInWorld(waves.WindDirectionDegrees);
@@ -249,6 +249,16 @@ namespace Glint
                 (int)Math.Floor(tile.localPosition.z / size + QuarterTile));
         }
 
+        /// <summary>Time of the tile that is shown, seconds.</summary>
+        internal double ShownTime => CurrentSnapshot == null ? _timeSeconds : CurrentSnapshot.TimeSeconds;
+
+        /// <summary>The middle of a tile in this object's coordinates; tiles follow it in their size.</summary>
+        internal Vector3 TileMiddle()
+        {
+            var tile = GetComponentInChildren<SeaTile>();
+            return tile == null ? Vector3.zero : tile.transform.localPosition;
+        }
+
         /// <summary>Refuses a number without snapshot.</summary>
         /// <exception cref="GlintException">The snapshot does not exist.</exception>
         public void CheckSnapshot(int number)
@@ -263,7 +273,8 @@ namespace Glint
                     + "put a prefab there that glint sea wrote");
         }
 
-        SeaSettings ShownWaves => CurrentSnapshot == null ? _waves : CurrentSnapshot.Settings;
+        /// <summary>Settings of the tile that is shown.</summary>
+        internal SeaSettings ShownWaves => CurrentSnapshot == null ? _waves : CurrentSnapshot.Settings;
 
         // Echoes are those of a mean surface that is horizontal, and of waves in metres.
         double3 WindInWorld(double degrees)

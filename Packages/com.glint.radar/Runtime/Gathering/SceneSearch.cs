@@ -29,7 +29,12 @@ namespace Glint
         public static string IsDisabled(Behaviour component) =>
             $"{component.GetType().Name} of '{component.name}' is disabled or inactive; enable it";
 
-        static T FindOnly<T>(string searcher, string noun, string remedy) where T : Behaviour
+        /// <summary>The only enabled component of a kind in the loaded scenes.</summary>
+        /// <param name="searcher">Name of the caller, for the message.</param>
+        /// <param name="noun">What it is, for the message.</param>
+        /// <param name="remedy">What to add where there is none.</param>
+        /// <exception cref="GlintException">There is none, or more than one.</exception>
+        public static T FindOnly<T>(string searcher, string noun, string remedy) where T : Behaviour
         {
             var all = Object.FindObjectsByType<T>(FindObjectsInactive.Include, FindObjectsSortMode.None);
             var enabled = Array.FindAll(all, found => found.isActiveAndEnabled);

@@ -25,6 +25,7 @@ public sealed class WrongCallTests
         ["echo"] = ["MESH", "--tolerance", "10", "--frequencies", "4", "--out", "DIR/out"],
         ["isar"] = ["MESH", "--tolerance", "10", "--frequencies", "4", "--azimuth", "0,1", "--out", "DIR/out"],
         ["clutter"] = ["Scenes/SeaState5.unity", "--clutter", "on", "--grazing", "60", "--out", "DIR/out"],
+        ["ppi"] = ["Scenes/HarbourApproach.unity", "--turns", "1", "--out", "DIR/out"],
         ["report"] = ["DIR", "--pose", "none"],
         ["sea"] = [],
         ["ship"] = [],

@@ -31,6 +31,17 @@ public static class AsyncGPUReadback
         Action<AsyncGPUReadbackRequest> callback = null) =>
         Add(Elements(src), size, offset, null, callback);
 
+    /// <summary>The pixels row by row, from that whose y is 0 in the kernel.</summary>
+    public static AsyncGPUReadbackRequest Request(Texture src, int mipIndex = 0,
+        Action<AsyncGPUReadbackRequest> callback = null)
+    {
+        if (src is not RenderTexture texture)
+            throw new NotSupportedException("the host reads back a RenderTexture only");
+        if (mipIndex != 0)
+            throw new ArgumentOutOfRangeException(nameof(mipIndex), mipIndex, "the texture has one level");
+        return Add(texture, texture.Image.Bytes, 0, null, callback);
+    }
+
     public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(
         ref NativeArray<T> output, ComputeBuffer src,
         Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
@@ -89,7 +100,7 @@ public static class AsyncGPUReadback
     }
 
     static AsyncGPUReadbackRequest Add(
-        StructuredBuffer source, long size, long offset,
+        IReadbackSource source, long size, long offset,
         Action<NativeArray<byte>> store, Action<AsyncGPUReadbackRequest> callback)
     {
         if (!SystemInfo.supportsAsyncGPUReadback)

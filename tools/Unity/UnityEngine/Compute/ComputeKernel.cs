@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Vulkan;
+using UnityEngine;
 
 namespace Glint.Host;
 
@@ -11,8 +12,9 @@ internal sealed class ComputeKernel : IDisposable
     readonly Func<byte[]> _load;
     readonly Func<IReadOnlyCollection<string>> _loadByteAddressBuffers;
     readonly Dictionary<int, StructuredBuffer> _set = new();
+    readonly Dictionary<int, RenderTexture> _textures = new();
     Slot[] _slots;
-    GpuBuffer[] _bound;
+    GpuResource[] _bound;
     Uniform[] _uniforms;
     byte[] _uniformBytes;
     VulkanDevice _device;
@@ -39,7 +41,7 @@ internal sealed class ComputeKernel : IDisposable
                 _slots = _program.Slots
                     .Select(slot => new Slot(PropertyIds.Get(slot.Name), slot, byteAddressBuffers.Contains(slot.Name)))
                     .ToArray();
-                _bound = new GpuBuffer[_slots.Length];
+                _bound = new GpuResource[_slots.Length];
             }
             return _program;
         }
@@ -47,15 +49,24 @@ internal sealed class ComputeKernel : IDisposable
 
     internal void Set(int id, StructuredBuffer buffer) => _set[id] = buffer;
 
+    internal void Set(int id, RenderTexture texture) => _textures[id] = texture;
+
     /// <summary>
-    /// Takes the buffers that are set and the values of the uniforms, for the next dispatch. Returns the name of the
-    /// first buffer that is not set or was released; null if the kernel can run.
+    /// Takes the buffers and textures that are set and the values of the uniforms, for the next dispatch. Returns the
+    /// name of the first that is not set or was released; null if the kernel can run.
     /// </summary>
     internal string Bind(string shader, Dictionary<int, UniformValue> values)
     {
         _ = Program;
         for (int i = 0; i < _slots.Length; i++)
         {
+            if (_slots[i].Buffer.IsImage)
+            {
+                if (!_textures.TryGetValue(_slots[i].Id, out var texture) || !texture.IsCreated())
+                    return _slots[i].Buffer.Name;
+                _bound[i] = texture.Image;
+                continue;
+            }
             if (!_set.TryGetValue(_slots[i].Id, out var buffer) || !buffer.IsValid)
                 return _slots[i].Buffer.Name;
             CheckUse(shader, _slots[i], buffer);

@@ -50,6 +50,18 @@ public sealed partial class ComputeShader : Object
     public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) =>
         Kernel(kernelIndex).Set(nameID, (buffer ?? throw new ArgumentNullException(nameof(buffer))).Elements);
 
+    public void SetTexture(int kernelIndex, string name, Texture texture) =>
+        SetTexture(kernelIndex, Shader.PropertyToID(name), texture);
+
+    /// <summary>Sets an RWTexture2D: a RenderTexture with random write.</summary>
+    public void SetTexture(int kernelIndex, int nameID, Texture texture)
+    {
+        if (texture is not RenderTexture { enableRandomWrite: true } writable)
+            throw new ArgumentException(texture == null ? "the texture is null" : $"the texture ({texture.name}) is no "
+                + "RenderTexture with enableRandomWrite: the host has no other in kernels", nameof(texture));
+        Kernel(kernelIndex).Set(nameID, writable);
+    }
+
     public void Dispatch(int kernelIndex, int threadGroupsX, int threadGroupsY, int threadGroupsZ)
     {
         var kernel = Kernel(kernelIndex);

@@ -23,6 +23,9 @@ public static class GraphicsDevice
     /// <summary>What SystemInfo reports of buffers with the group counts of a dispatch. For tests.</summary>
     public static bool HasIndirectArguments { get; set; } = true;
 
+    /// <summary>What SystemInfo reports of textures that kernels write. For tests.</summary>
+    public static bool HasStoredTextures { get; set; } = true;
+
     public static bool IsNull => Type == GraphicsDeviceType.Null;
 
     /// <summary>

@@ -15,11 +15,11 @@ internal sealed class Readback
 {
     readonly Action<AsyncGPUReadbackRequest> _callback;
     readonly Action<NativeArray<byte>> _store;
-    readonly StructuredBuffer _source;
+    readonly IReadbackSource _source;
     readonly long _batch;
     NativeArray<byte> _data;
 
-    internal Readback(StructuredBuffer source, long size, long offset, Action<NativeArray<byte>> store,
+    internal Readback(IReadbackSource source, long size, long offset, Action<NativeArray<byte>> store,
         Action<AsyncGPUReadbackRequest> callback)
     {
         if (offset < 0 || size <= 0 || size > source.Bytes - offset)

@@ -11,7 +11,7 @@ namespace Glint.Host;
 /// <summary>
 /// Base of ComputeBuffer and GraphicsBuffer: elements on the device, and Unity's checks of transfers.
 /// </summary>
-internal sealed class StructuredBuffer
+internal sealed class StructuredBuffer : IReadbackSource
 {
     const int StrideLimit = 2048;
     const int MostBytesAtOnce = 1 << 30; // a span counts its bytes by an int
@@ -48,13 +48,13 @@ internal sealed class StructuredBuffer
 
     internal int Count { get; }
     internal int Stride { get; }
-    internal long Bytes => (long)Count * Stride;
+    public long Bytes => (long)Count * Stride;
 
     internal BufferUses Uses { get; }
 
-    internal VulkanDevice Device => _device;
+    public VulkanDevice Device => _device;
 
-    internal bool IsValid => _buffer is { IsDisposed: false };
+    public bool IsValid => _buffer is { IsDisposed: false };
 
     /// <summary>The buffer on the device; throws if it was released.</summary>
     internal GpuBuffer Gpu => IsValid ? _buffer : throw new NullReferenceException($"this {_kind} was released");
@@ -106,7 +106,7 @@ internal sealed class StructuredBuffer
     }
 
     /// <summary>Has the device copy bytes as they are now: see <see cref="GpuBuffer.BeginRead"/>.</summary>
-    internal unsafe long BeginGet(NativeArray<byte> data, long offset)
+    public unsafe long BeginGet(NativeArray<byte> data, long offset)
     {
         fixed (byte* target = data.AsSpan())
             return Gpu.BeginRead(target, data.Length, offset);

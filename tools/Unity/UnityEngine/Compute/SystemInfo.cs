@@ -1,6 +1,7 @@
 using System;
 using Glint.Host;
 using Glint.Vulkan;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 
 namespace UnityEngine;
@@ -50,6 +51,11 @@ public sealed class SystemInfo
 
     public static bool supportsIndirectArgumentsBuffer =>
         !GraphicsDevice.IsNull && GraphicsDevice.HasIndirectArguments;
+
+    /// <summary>Whether textures of a format can be used so: the host has one kind.</summary>
+    public static bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage) =>
+        !GraphicsDevice.IsNull && GraphicsDevice.HasStoredTextures && format == GraphicsFormat.R8G8B8A8_UNorm
+        && usage == GraphicsFormatUsage.LoadStore;
 
     public static int maxComputeBufferInputsCompute => GraphicsDevice.IsNull ? 0 : Limits.MaxStorageBuffersPerStage;
 

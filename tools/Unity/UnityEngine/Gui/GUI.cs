@@ -9,5 +9,7 @@ public class GUI
 
     public static void Box(Rect position, string text) => ScreenText.Add(text);
 
+    public static void DrawTexture(Rect position, Texture image) => ScreenText.Add($"texture {image.name}");
+
     public static void Label(Rect position, string text) => ScreenText.Add(text);
 }

@@ -1,0 +1,176 @@
+using System;
+using System.Linq;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// Spokes and range cells of a turn, what the beam and the pulse make of an echo, and the level of echoes. Spoke n
+    /// lies at n / <see cref="ScreenRadar.Spokes"/> turns clockwise from north, cell n begins at n times
+    /// <see cref="CellSize"/>. Immutable.
+    /// </summary>
+    public sealed class ScreenGeometry
+    {
+        /// <summary>
+        /// Units of a sum of echoes in the root of the noise's power: ECHO_UNITS in Shaders/Screen.hlsl. 32 bits hold
+        /// echoes up to 150 dB over noise; roundings are 36 dB below it.
+        /// </summary>
+        public const double UnitsOfNoise = 64;
+
+        /// <summary>Smallest weight of a spoke in the beam: the square is 80 dB down.</summary>
+        public const double SmallestWeight = 1e-4;
+
+        // |K|^2 of water.
+        const double WaterFactor = 0.93;
+
+        readonly RadarEquation _equation;
+        readonly Antenna _antenna;
+        readonly double _waveNumber;
+
+        /// <exception cref="GlintException">A setting is out of its range.</exception>
+        public ScreenGeometry(in ScreenRadar radar, string subject)
+        {
+            radar.Validate(subject);
+            Radar = radar;
+            CellSize = radar.RangeScale / radar.Cells;
+            double pulse = 1e-9 * radar.PulseNanoseconds;
+            NoisePower = new ThermalNoise(radar.Seed, 1 / pulse, radar.NoiseFigureDb).Power;
+            Units = UnitsOfNoise / Math.Sqrt(NoisePower);
+            _equation = new RadarEquation(radar.Power, radar.Frequency, radar.LossDb);
+            var azimuth = AntennaPattern.Gaussian(radar.BeamWidth);
+            _antenna = new Antenna(Antenna.UsualGainDb(radar.BeamWidth, radar.VerticalBeamWidth), azimuth,
+                AntennaPattern.Gaussian(radar.VerticalBeamWidth));
+            _waveNumber = 2 * Math.PI / Signal.Wavelength(radar.Frequency);
+            Beam = Enumerable.Range(0, radar.Spokes / 4)
+                .Select(spoke => Math.Pow(azimuth.Field(2 * Math.PI * spoke / Radar.Spokes).Real, 2))
+                .TakeWhile(weight => weight >= SmallestWeight).Select(weight => (float)weight).ToArray();
+            PulseLength = Signal.SpeedOfLight / 2 * pulse;
+            Pulse = Enumerable.Range(0, radar.Cells).Select(cell => 1 - cell * CellSize / PulseLength)
+                .TakeWhile((weight, cell) => cell == 0 || weight > 0).Select(weight => (float)weight).ToArray();
+            NoiseGain = 1 / (1 + 2 * Pulse.Skip(1).Sum(weight => (double)weight * weight));
+        }
+
+        /// <summary>The settings.</summary>
+        public ScreenRadar Radar { get; }
+
+        /// <summary>Metres from one cell to the next.</summary>
+        public double CellSize { get; }
+
+        /// <summary>Half of the length of a pulse in metres, by which it blurs ranges.</summary>
+        public double PulseLength { get; }
+
+        /// <summary>Mean power of the noise, watts.</summary>
+        public double NoisePower { get; }
+
+        /// <summary>Units of the sums of echoes a root watt.</summary>
+        public double Units { get; }
+
+        /// <summary>
+        /// Weight of the echo of a spoke in the signal of another, by their distance in spokes: the field of the
+        /// pattern out and back.
+        /// </summary>
+        public float[] Beam { get; }
+
+        /// <summary>
+        /// Weight of the echo of a cell in the signal of another, by their distance in cells: the pulse behind its
+        /// matched filter, a triangle.
+        /// </summary>
+        public float[] Pulse { get; }
+
+        /// <summary>Spokes on each side of a spoke whose echoes are part of its signal.</summary>
+        public int HalfBeam => Beam.Length - 1;
+
+        /// <summary>Mean power of the noise of the sums before the pulse's weights, over that behind them.</summary>
+        public double NoiseGain { get; }
+
+        /// <summary>
+        /// Factor of the amplitude of echoes that fill their cells, as of sea and rain: the square of the pulse's
+        /// triangle has 2/3 of its half base, and the sum over its weights differs from that where cells are long.
+        /// </summary>
+        public double FillFactor => Math.Sqrt(2.0 / 3 * PulseLength / CellSize * NoiseGain);
+
+        /// <summary>Amplitude in units of an echo of one square metre at one metre, in the middle of the beam.</summary>
+        public double AmplitudeAtOne => Amplitude(1, 1, 0);
+
+        /// <summary>
+        /// Root of the power of the rain's echo in a spoke, in units, times the range in cells. The drops are those of
+        /// Marshall and Palmer, Z = 200 r^1.6 mm6/m3 at r mm/h, and scatter as Rayleigh's spheres.
+        /// </summary>
+        public double RainAmplitude
+        {
+            get
+            {
+                // Section of a cubic metre, m2.
+                double wave = Signal.Wavelength(Radar.Frequency), z = 200 * Math.Pow(Radar.RainRate, 1.6) * 1e-18,
+                    density = Math.Pow(Math.PI, 5) * WaterFactor * z / Math.Pow(wave, 4);
+                // Of a spoke, with the power of the beam's height above the sea, out and back.
+                double angle = 2 * Math.PI / Radar.Spokes * Radar.VerticalBeamWidth * Math.PI / 180
+                        * Math.Sqrt(Math.PI / (8 * Math.Log(2))) / 2;
+                // The volume is angle R^2 CellSize, and the amplitude falls with 1 / R^2.
+                return FillFactor * AmplitudeAtOne * Math.Sqrt(density * angle * CellSize) / CellSize;
+            }
+        }
+
+        /// <summary>The spoke of a bearing.</summary>
+        /// <param name="turns">From north, any number of turns.</param>
+        public int SpokeOf(double turns) => (int)Math.Floor((turns - Math.Floor(turns)) * Radar.Spokes + 0.5)
+            & (Radar.Spokes - 1);
+
+        /// <summary>
+        /// An echo as the sums take it. <see cref="ScreenPoint.Amplitude"/> is 0 behind the horizon and outside the
+        /// range scale.
+        /// </summary>
+        /// <param name="position">Of the reflector, metres: x to the east, y above the sea, z to the north.</param>
+        /// <param name="antenna">The same of the antenna.</param>
+        /// <param name="section">Cross section, square metres.</param>
+        public ScreenPoint PointOf(double3 position, double3 antenna, double section)
+        {
+            double3 way = position - antenna;
+            double distance = math.length(way.xz), range = math.length(way);
+            if (!(range > 0 && range < Radar.RangeScale) || distance > Horizon(antenna.y) + Horizon(position.y))
+                return default;
+            var point = new ScreenPoint
+            {
+                Position = (float3)way, Cell = Math.Min((int)(range / CellSize), Radar.Cells - 1),
+                Spoke = SpokeOf(Math.Atan2(way.x, way.z) / (2 * Math.PI))
+            };
+            double drop = distance * distance / (2 * ClutterGeometry.EarthRadius);
+            double amplitude = Amplitude(section, range, Math.Atan2(way.y - drop, distance))
+                * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);
+            double phase = 2 * _waveNumber * range;
+            point.Amplitude = (float)amplitude;
+            point.Field = (float2)new double2(amplitude * Math.Cos(phase), amplitude * Math.Sin(phase));
+            return point;
+        }
+
+        // In units.
+        double Amplitude(double section, double range, double elevation)
+        {
+            var field = _antenna.Field(0, elevation);
+            return Units * _equation.Amplitude(field, field, Math.Sqrt(section), range).Real;
+        }
+
+        // Metres to the horizon over a smooth sea.
+        static double Horizon(double height) => Math.Sqrt(2 * ClutterGeometry.EarthRadius * Math.Max(0, height));
+    }
+
+    /// <summary>An echo of one point: GLINT_SCREEN_POINT in Shaders/ScreenPoints.hlsl.</summary>
+    [System.Runtime.InteropServices.StructLayout(System.Runtime.InteropServices.LayoutKind.Sequential)]
+    public struct ScreenPoint
+    {
+        /// <summary>From the antenna, metres: x to the east, y up, z to the north.</summary>
+        public float3 Position;
+
+        /// <summary>In units of the sums; 0: no echo.</summary>
+        public float Amplitude;
+
+        /// <summary>The complex echo in units of the sums.</summary>
+        public float2 Field;
+
+        /// <summary>Its spoke.</summary>
+        public int Spoke;
+
+        /// <summary>Its cell.</summary>
+        public int Cell;
+    }
+}

@@ -1,0 +1,132 @@
+using System;
+using System.Collections.Generic;
+
+namespace Glint.Core
+{
+    /// <summary>Transmitter, antenna and range gates of a radar with a screen.</summary>
+    [Serializable]
+    public struct ScreenRadar
+    {
+        /// <summary>Metres of a nautical mile.</summary>
+        public const double NauticalMile = 1852;
+
+        static readonly Interval s_fractions = Interval.Closed(0, 1);
+
+        /// <summary>The numbers, in the order of the declaration.</summary>
+        public static readonly IReadOnlyList<Measure> Measures = new[]
+        {
+            Of(nameof(Frequency), it => it.Frequency, "Frequency", "Hz", SeaScattering.Frequencies,
+                "Frequency of the transmitter."),
+            Of(nameof(Power), it => it.Power, "Power", "W", Interval.Closed(1e-3, 1e8), "Peak power of a pulse."),
+            Of(nameof(PulseNanoseconds), it => it.PulseNanoseconds, "Pulse", "ns", Interval.Closed(10, 10000),
+                "Length of a pulse. Its inverse is the bandwidth of the receiver."),
+            Of(nameof(NoiseFigureDb), it => it.NoiseFigureDb, "Noise Figure", "dB", Interval.Closed(0, 100),
+                "Noise figure of the receiver."),
+            Of(nameof(LossDb), it => it.LossDb, "Loss", "dB", Interval.Closed(0, 100),
+                "Losses of transmitter, lines and receiver together."),
+            Of(nameof(BeamWidth), it => it.BeamWidth, "Beam Width", "deg", Interval.Closed(0.1, 30),
+                "Horizontal width of the beam between the points of half power."),
+            Of(nameof(VerticalBeamWidth), it => it.VerticalBeamWidth, "Vertical Beam Width", "deg",
+                Interval.Closed(1, 179), "Vertical width of the beam between the points of half power."),
+            Of(nameof(TurnsAMinute), it => it.TurnsAMinute, "Turns a Minute", "", Interval.Closed(1, 240),
+                "Turns of the antenna a minute, clockwise."),
+            Of(nameof(RangeScale), it => it.RangeScale, "Range Scale", "m", Interval.Closed(100, 2e5),
+                "Range at the edge of the picture. A nautical mile is 1,852 m."),
+            Of(nameof(Spokes), it => it.Spokes, "Spokes", "", Interval.Closed(256, 16384),
+                "Bearings of a turn, a power of two. At least three across the beam."),
+            Of(nameof(Cells), it => it.Cells, "Cells", "", Interval.Closed(64, 8192),
+                "Range cells from the radar to the edge of the picture."),
+            Of(nameof(SeaReflection), it => it.SeaReflection, "Sea Reflection", "", s_fractions,
+                "Amplitude of the image of a reflector in a smooth sea, which interferes with the direct echo. 0: none."),
+            Of(nameof(RainRate), it => it.RainRate, "Rain", "mm/h", Interval.Closed(0, 100),
+                "Rain around the radar: its echo, without attenuation."),
+            Of(nameof(Seed), it => it.Seed, "Seed", "", Interval.Closed(0, int.MaxValue),
+                "Seed of noise and speckle. The same number gives the same picture.")
+        };
+
+        /// <summary>Hertz.</summary>
+        public double Frequency;
+
+        /// <summary>Peak power, watts.</summary>
+        public double Power;
+
+        /// <summary>Length of a pulse, ns.</summary>
+        public double PulseNanoseconds;
+
+        /// <summary>Noise figure, dB.</summary>
+        public double NoiseFigureDb;
+
+        /// <summary>Losses, dB.</summary>
+        public double LossDb;
+
+        /// <summary>Horizontal half-power width, degrees.</summary>
+        public double BeamWidth;
+
+        /// <summary>Vertical half-power width, degrees.</summary>
+        public double VerticalBeamWidth;
+
+        /// <summary>Turns of the antenna a minute.</summary>
+        public double TurnsAMinute;
+
+        /// <summary>Range of the last cell's end, metres.</summary>
+        public double RangeScale;
+
+        /// <summary>Bearings of a turn, a power of two.</summary>
+        public int Spokes;
+
+        /// <summary>Range cells.</summary>
+        public int Cells;
+
+        /// <summary>Amplitude of the image in the sea over that of the reflector, 0 to 1.</summary>
+        public double SeaReflection;
+
+        /// <summary>mm/h.</summary>
+        public double RainRate;
+
+        /// <summary>Of noise and speckle.</summary>
+        public int Seed;
+
+        /// <summary>Polarisation of the echo of the sea: horizontal, as of slotted waveguides, or vertical.</summary>
+        public ScreenPolarisation Polarisation;
+
+        /// <summary>A marine radar in X band: 25 kW, 1.2 x 22 degrees, 24 turns a minute, 6 nautical miles.</summary>
+        public static ScreenRadar Default => new ScreenRadar
+        {
+            Frequency = 9.41e9, Power = 25000, PulseNanoseconds = 80, NoiseFigureDb = 5, BeamWidth = 1.2,
+            VerticalBeamWidth = 22, TurnsAMinute = 24, RangeScale = 6 * NauticalMile, Spokes = 4096, Cells = 1024,
+            Seed = 1
+        };
+
+        /// <summary>Refuses values out of range.</summary>
+        /// <param name="subject">Whose settings they are, for messages.</param>
+        /// <exception cref="GlintException">A value is out of its range.</exception>
+        public void Validate(string subject)
+        {
+            foreach (var measure in Measures)
+                Require.Within(subject, measure, this);
+            if ((Spokes & (Spokes - 1)) != 0)
+                throw new GlintException($"{subject}: spokes {Spokes} must be a power of two: 1024, 2048, 4096");
+            if (BeamWidth * Spokes < 3 * 360)
+                throw new GlintException($"{subject}: {Spokes} spokes are fewer than three across the beam of "
+                    + $"{RadarSettings.Text(BeamWidth)} deg: use more spokes or a wider beam");
+            double longest = RangeScale / 4, pulse = Signal.SpeedOfLight / 2e9 * PulseNanoseconds;
+            if (pulse > longest)
+                throw new GlintException($"{subject}: a pulse of {RadarSettings.Text(PulseNanoseconds)} ns is "
+                    + $"{pulse:0} m long and the range scale is {RadarSettings.Text(RangeScale)} m: use a shorter pulse "
+                    + "or a larger scale");
+        }
+
+        static Measure Of(string field, Func<ScreenRadar, double> value, string title, string unit, Interval range,
+            string help) => new Measure(field, settings => value((ScreenRadar)settings), title, unit, range, help);
+    }
+
+    /// <summary>What a radar with a screen sends and receives.</summary>
+    public enum ScreenPolarisation
+    {
+        /// <summary>HH.</summary>
+        Horizontal,
+
+        /// <summary>VV.</summary>
+        Vertical
+    }
+}

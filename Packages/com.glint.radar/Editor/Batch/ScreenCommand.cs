@@ -1,0 +1,208 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine.Rendering;
+
+namespace Glint.Editor
+{
+    /// <summary><c>glint ppi</c>: turns of the radar screen of a scene, frame by frame.</summary>
+    static class ScreenCommand
+    {
+        const string PictureFile = "picture.png", VideoFile = "video.npz";
+
+        public static int Execute(CommandLine line, IProgressSink progress)
+        {
+            LoadedScene.OpenSceneFile(line.Input);
+            var screen = SceneSearch.FindOnly<RadarScreen>(line.Input, "radar screen",
+                "RadarScreen (Glint > Radar Screen) to an object of the scene");
+            // A scene may be stored without them.
+            if (screen.Kernel == null)
+                screen.Kernel = ProjectAssets.ScreenKernel;
+            if (screen.SeaKernel == null)
+                screen.SeaKernel = ProjectAssets.SeaKernel;
+            string folder = line.IsGiven(ScreenOptions.Out) ? Path.GetFullPath(line.Get(ScreenOptions.Out))
+                : RunDescription.DefaultFolder(Path.GetFileNameWithoutExtension(line.Input)) + "-ppi";
+            // The first frame refuses what is wrong, before files are made.
+            var play = new ScenePlay(screen);
+            play.Advance(line.Get(ScreenOptions.Time), 0);
+            using (var output = new VideoOutput(line, screen.Geometry))
+            {
+                Directory.CreateDirectory(folder);
+                int code = Turn(line, play, output, progress);
+                if (code != Batch.Done)
+                    return code;
+                string picture = Path.Combine(folder, PictureFile), video = Path.Combine(folder, VideoFile);
+                WritePicture(screen, picture);
+                WriteVideo(screen, video);
+                progress.Print($"written: {string.Join(", ", new[] { picture, video }.Concat(output.Paths))}");
+            }
+            screen.enabled = false;
+            return Batch.Done;
+        }
+
+        static int Turn(CommandLine line, ScenePlay play, VideoOutput output, IProgressSink progress)
+        {
+            var screen = play.Screen;
+            int turns = line.Get(ScreenOptions.Turns), rate = line.Get(ScreenOptions.FrameRate),
+                // The last spoke of the last turn is finished one frame later at most.
+                frames = (int)Math.Ceiling(turns * 60 / screen.Radar.TurnsAMinute * rate) + 1;
+            progress.Print(FormattableString.Invariant(
+                $"{screen.Radar.Spokes} spokes of {screen.Radar.Cells} cells of {screen.Geometry.CellSize:g4} m, noise {PowerLevel.ToDecibels(screen.Geometry.NoisePower):0.0} dBW"));
+            progress.Start(line.Input, frames);
+            var watch = Stopwatch.StartNew();
+            try
+            {
+                for (int frame = 0; frame < frames; frame++)
+                {
+                    if (progress.Cancel.IsCancellationRequested)
+                        return Batch.Cancelled;
+                    play.Advance(1.0 / rate, 1.0 / rate);
+                    output.Add(screen);
+                    if (line.IsGiven(ScreenOptions.Udp))
+                        Wait((frame + 1.0) / rate - watch.Elapsed.TotalSeconds);
+                    progress.Advance(frame + 1, FormattableString.Invariant($"{screen.AntennaDegrees:0} deg"));
+                }
+            }
+            finally
+            {
+                progress.Finish();
+            }
+            progress.Print(FormattableString.Invariant(
+                $"{turns} turns in {watch.Elapsed.TotalSeconds:0.0} s, {frames} frames; main thread {play.MedianMilliseconds:0.000} ms a frame for the radar (median)"));
+            return Batch.Done;
+        }
+
+        static void Wait(double seconds)
+        {
+            if (seconds > 0)
+                Thread.Sleep(TimeSpan.FromSeconds(seconds));
+        }
+
+        static void WritePicture(RadarScreen screen, string path)
+        {
+            int side = screen.Display.Side;
+            byte[] pixels = Pixels(screen), fromTop = new byte[pixels.Length];
+            for (int row = 0; row < side; row++)
+                Array.Copy(pixels, 4 * side * row, fromTop, 4 * side * (side - 1 - row), 4 * side);
+            using (var file = File.Create(path))
+                PngFile.WriteColour(file, side, fromTop);
+        }
+
+        static byte[] Pixels(RadarScreen screen)
+        {
+            if (screen.Picture == null)
+                return screen.ReadPicture();
+            var request = AsyncGPUReadback.Request(screen.Picture);
+            request.WaitForCompletion();
+            if (request.hasError)
+                throw new GlintException($"the picture of '{screen.name}' could not be read back from the device");
+            return request.GetData<byte>().ToArray();
+        }
+
+        static void WriteVideo(RadarScreen screen, string path)
+        {
+            var geometry = screen.Geometry;
+            int spokes = geometry.Radar.Spokes, cells = geometry.Radar.Cells;
+            double noise = PowerLevel.ToDecibels(geometry.NoisePower);
+            int[] both = { spokes, cells };
+            using (var file = File.Create(path))
+            using (var arrays = new NumpyArchive(file))
+            {
+                arrays.Add("bearing_deg", new[] { spokes }, Enumerable.Range(0, spokes).Select(i => 360.0 * i / spokes));
+                arrays.Add("range_m", new[] { cells },
+                    Enumerable.Range(0, cells).Select(i => (i + 0.5) * geometry.CellSize));
+                arrays.Add("power_dbw", both, screen.ReadLevels().Select(level => level + noise));
+                arrays.Add("video", both, screen.ReadVideo().Select(video => (double)video.x));
+                arrays.Add("noise_dbw", new[] { 1 }, new[] { noise });
+                arrays.Add("heading_deg", new[] { 1 }, new[] { screen.HeadingDegrees });
+            }
+        }
+    }
+
+    /// <summary>A scene that runs without an engine's loop: seas, ships and the radar.</summary>
+    sealed class ScenePlay
+    {
+        readonly Underway[] _ships = SceneSearch.FindEnabled<Underway>();
+        readonly Sea[] _seas = SceneSearch.FindEnabled<Sea>();
+
+        readonly List<double> _milliseconds = new List<double>();
+
+        public ScenePlay(RadarScreen screen) => Screen = screen;
+
+        public RadarScreen Screen { get; }
+
+        /// <summary>Time of the main thread for the radar's part of a frame.</summary>
+        public double MedianMilliseconds => _milliseconds.OrderBy(time => time).ElementAt(_milliseconds.Count / 2);
+
+        /// <summary>Moves the scene, and the radar, for some seconds.</summary>
+        public void Advance(double seconds, double ofRadar)
+        {
+            foreach (var ship in _ships)
+                ship.Advance(seconds);
+            foreach (var sea in _seas)
+                if (sea.Motion == SeaMotion.Waves)
+                    sea.TimeSeconds += seconds;
+            var watch = Stopwatch.StartNew();
+            Screen.Advance(ofRadar);
+            _milliseconds.Add(watch.Elapsed.TotalMilliseconds);
+        }
+    }
+
+    /// <summary>Radar video of each frame, to a file and by UDP.</summary>
+    sealed class VideoOutput : IDisposable
+    {
+        readonly ScreenAsterix _encoder;
+        readonly FileStream _file;
+        readonly DatagramSender _sender;
+        readonly double _start = DateTime.UtcNow.TimeOfDay.TotalSeconds;
+
+        double _seconds;
+
+        public VideoOutput(CommandLine line, ScreenGeometry geometry)
+        {
+            var udp = line.Get(ScreenOptions.Udp);
+            string path = line.Get(ScreenOptions.Asterix);
+            if (udp == null && path == null)
+                return;
+            _encoder = new ScreenAsterix(geometry);
+            if (udp != null)
+                _sender = new DatagramSender(udp.Port, udp.Host, line.Get(ScreenOptions.Ttl));
+            if (path == null)
+                return;
+            path = Path.GetFullPath(path);
+            Directory.CreateDirectory(Path.GetDirectoryName(path));
+            _file = File.Create(path);
+            Paths = new[] { path };
+        }
+
+        public string[] Paths { get; } = new string[0];
+
+        /// <summary>Writes the spokes of the last frame.</summary>
+        public void Add(RadarScreen screen)
+        {
+            if (_encoder == null)
+                return;
+            var geometry = screen.Geometry;
+            float2[] video = screen.ReadFrame(out long first);
+            for (int i = 0; i < video.Length / geometry.Radar.Cells; i++)
+            {
+                _seconds += 60 / geometry.Radar.TurnsAMinute / geometry.Radar.Spokes;
+                byte[] message = _encoder.Encode(first + i, video, i * geometry.Radar.Cells,
+                    (_start + _seconds) % 86400);
+                _file?.Write(message, 0, message.Length);
+                _sender?.Send(message);
+            }
+        }
+
+        public void Dispose()
+        {
+            _file?.Dispose();
+            _sender?.Dispose();
+        }
+    }
+}

@@ -1,0 +1,52 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Editor
+{
+    /// <summary>Figures of a RadarScreen for an inspector.</summary>
+    static class ScreenFigures
+    {
+        /// <summary>Labels and tooltips of the fields of <see cref="ScreenRadar"/>, in their order.</summary>
+        public static readonly (string field, string label, string tooltip)[] Radar = ScreenRadar.Measures
+            .Select(measure => measure.Row)
+            .Append((nameof(ScreenRadar.Polarisation), "Polarisation",
+                "Polarisation of the echo of the sea: that of slotted waveguides is horizontal.")).ToArray();
+
+        /// <summary>The same of <see cref="ScreenReceiver"/>.</summary>
+        public static readonly (string field, string label, string tooltip)[] Receiver = ScreenReceiver.Measures
+            .Select(measure => measure.Row).ToArray();
+
+        /// <summary>The same of <see cref="ScreenDisplay"/>.</summary>
+        public static readonly (string field, string label, string tooltip)[] Display = ScreenDisplay.Measures
+            .Select(measure => measure.Row)
+            .Prepend((nameof(ScreenDisplay.Orientation), "Orientation", "What is at the top: the bow, or north."))
+            .Append((nameof(ScreenDisplay.HasHeadingLine), "Heading Line", "Draws the heading of the own ship."))
+            .Append((nameof(ScreenDisplay.HasBearingLine), "Show Bearing Line",
+                "Draws the electronic bearing line.")).ToArray();
+
+        /// <summary>Why the screen cannot turn; null if it can.</summary>
+        public static Finding Check(RadarScreen screen) => Finding.Of(screen.Check);
+
+        /// <summary>The figures: label, value, meaning; none while a setting is out of its range.</summary>
+        public static IEnumerable<(string label, string value, string tooltip)> Rows(RadarScreen screen)
+        {
+            if (Check(screen) != null)
+                yield break;
+            var geometry = new ScreenGeometry(screen.Radar, screen.name);
+            var radar = geometry.Radar;
+            yield return ("Cell", FormattableString.Invariant(
+                    $"{geometry.CellSize:0.##} m by {360.0 / radar.Spokes:0.###} deg"),
+                "Range cell, and angle between spokes.");
+            yield return ("Pulse", FormattableString.Invariant($"{geometry.PulseLength:0.#} m"),
+                "Half of the pulse's length: closer echoes are one.");
+            yield return ("Noise", FormattableString.Invariant(
+                $"{PowerLevel.ToDecibels(geometry.NoisePower):0.0} dBW"), "Mean power of the receiver's noise.");
+            double ofOne = 20 * Math.Log10(geometry.AmplitudeAtOne / ScreenGeometry.UnitsOfNoise);
+            yield return ("10 m2 over noise", FormattableString.Invariant(
+                    $"{ofOne + 10 - 40 * Math.Log10(radar.RangeScale):0.0} dB"),
+                "A reflector of 10 m2 at the edge of the picture in free space.");
+        }
+    }
+}

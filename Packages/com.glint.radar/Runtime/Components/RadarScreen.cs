@@ -1,0 +1,365 @@
+using System;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+
+namespace Glint
+{
+    /// <summary>
+    /// A radar screen (PPI) that turns while the scene plays. The antenna is at this object's position and turns
+    /// clockwise; <see cref="Picture"/> is a texture for UI Toolkit, uGUI and materials. It shows each enabled
+    /// <see cref="RadarReflector"/>, the sea, rain and noise. Everything runs on the device, and the main thread never waits
+    /// for it.
+    /// </summary>
+    [AddComponentMenu("Glint/Radar Screen")]
+    [HelpPage("screen.md")]
+    [ExecuteAlways] // so that buffers are released in edit mode too
+    [DisallowMultipleComponent]
+    public sealed class RadarScreen : MonoBehaviour
+    {
+        [SerializeField, Tooltip("Own ship: its forward axis is the heading. Empty: this object.")]
+        Transform _ownShip;
+
+        [SerializeField, Tooltip("Sea around the radar, with clutter. It is endless for the screen, whatever its extent. "
+            + "Empty: none.")]
+        Sea _sea;
+
+        [SerializeField, Tooltip("Transmitter, antenna and range cells. A change starts the picture anew.")]
+        ScreenRadar _radar = ScreenRadar.Default;
+
+        [SerializeField, Tooltip("Controls of the receiver.")]
+        ScreenReceiver _receiver = ScreenReceiver.Default;
+
+        [SerializeField, Tooltip("How the picture is drawn.")]
+        ScreenDisplay _display = ScreenDisplay.Default;
+
+        [SerializeField, Tooltip("Colour outside of the range scale.")]
+        Color _outside = new Color(0.09f, 0.1f, 0.12f);
+
+        [SerializeField, Tooltip("Colour without echo.")]
+        Color _background = new Color(0.01f, 0.03f, 0.08f);
+
+        [SerializeField, Tooltip("Colour of full video.")]
+        Color _echo = new Color(1, 0.85f, 0.1f);
+
+        [SerializeField, Tooltip("Colour of full trails.")]
+        Color _trail = new Color(0.1f, 0.35f, 0.8f);
+
+        [SerializeField, Tooltip("Colour of the range rings.")]
+        Color _rings = new Color(0.1f, 0.35f, 0.25f);
+
+        [SerializeField, Tooltip("Colour of the heading line.")]
+        Color _heading = new Color(0.8f, 0.8f, 0.8f);
+
+        [SerializeField, Tooltip("Colour of bearing line and range marker.")]
+        Color _marker = new Color(0.2f, 0.8f, 0.9f);
+
+        [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Screen.compute.")]
+        ComputeShader _kernel;
+
+        [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/SeaField.compute.")]
+        ComputeShader _seaKernel;
+
+        ScreenTracer _tracer;
+        RenderTexture _picture;
+        Compass _compass;
+        ScreenSea _waves;
+        ScreenPoint[] _points = new ScreenPoint[16];
+        Vector3 _tileMiddle;
+        double _turns, _headingTurns;
+        bool _isStale, _hasFailed;
+
+        /// <summary>
+        /// The picture, which stays the same object until the component is destroyed or its size changes; null where
+        /// the device cannot draw into textures, where <see cref="ReadPicture"/> has it, and before the first frame.
+        /// </summary>
+        public Texture Picture => _picture;
+
+        /// <summary>Own ship, whose forward axis is the heading; null: this object.</summary>
+        public Transform OwnShip { get => _ownShip; set => _ownShip = value; }
+
+        /// <summary>
+        /// Sea around the radar; null: none. It is endless for the screen. A change of its settings is seen when the
+        /// picture starts anew, its time at once.
+        /// </summary>
+        public Sea Sea
+        {
+            get => _sea;
+            set => (_sea, _isStale) = (value, true);
+        }
+
+        /// <summary>Transmitter, antenna and range cells. Another radar starts the picture anew.</summary>
+        /// <exception cref="GlintException">A setting is out of its range.</exception>
+        public ScreenRadar Radar
+        {
+            get => _radar;
+            set
+            {
+                value.Validate(Subject);
+                (_radar, _isStale) = (value, true);
+            }
+        }
+
+        /// <summary>Controls of the receiver.</summary>
+        /// <inheritdoc cref="Radar" path="/exception"/>
+        public ScreenReceiver Receiver
+        {
+            get => _receiver;
+            set
+            {
+                value.Validate(Subject);
+                _receiver = value;
+            }
+        }
+
+        /// <summary>How the picture is drawn.</summary>
+        /// <inheritdoc cref="Radar" path="/exception"/>
+        public ScreenDisplay Display
+        {
+            get => _display;
+            set
+            {
+                value.Validate(Subject);
+                _isStale |= value.Side != _display.Side;
+                _display = value;
+            }
+        }
+
+        /// <summary>Packages/com.glint.radar/Shaders/Screen.compute.</summary>
+        public ComputeShader Kernel { get => _kernel; set => _kernel = value; }
+
+        /// <summary>Packages/com.glint.radar/Shaders/SeaField.compute; only with a sea.</summary>
+        public ComputeShader SeaKernel { get => _seaKernel; set => _seaKernel = value; }
+
+        /// <summary>True bearing of the antenna in degrees from 0 to 360, clockwise from north.</summary>
+        public double AntennaDegrees => 360 * (_turns - Math.Floor(_turns));
+
+        /// <summary>Whole turns of the antenna past north since the start, as the noise counts them.</summary>
+        public int Turn => (int)Math.Floor(_turns);
+
+        /// <summary>True heading of the own ship in degrees from 0 to 360.</summary>
+        public double HeadingDegrees => 360 * (_headingTurns - Math.Floor(_headingTurns));
+
+        /// <summary>Spokes, cells and levels of the turn that is shown; null before the first frame.</summary>
+        public ScreenGeometry Geometry => _tracer?.Geometry;
+
+        internal ScreenTracer Tracer => _tracer;
+
+        string Subject => $"RadarScreen of '{name}'";
+
+        /// <summary>
+        /// Reads the levels of a turn, dB over noise, spoke by spoke. It waits for the device: not for each frame.
+        /// </summary>
+        /// <exception cref="GlintException">There was no frame yet.</exception>
+        public float[] ReadLevels()
+        {
+            var levels = new float[Ready().Levels.Capacity];
+            _tracer.Levels.ReadBack(levels, levels.Length);
+            return levels;
+        }
+
+        /// <summary>Reads video and trail of a turn, 0 to 1, spoke by spoke. It waits for the device.</summary>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public float2[] ReadVideo()
+        {
+            var video = new float2[Ready().Video.Capacity];
+            _tracer.Video.ReadBack(video, video.Length);
+            return video;
+        }
+
+        /// <summary>
+        /// Reads video and trail of the spokes that the last frame finished, spoke by spoke. It waits for the device.
+        /// </summary>
+        /// <param name="first">Number of the first spoke, counted from north in the first turn.</param>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public float2[] ReadFrame(out long first)
+        {
+            first = Ready().Slice.FirstFinished;
+            return _tracer.ReadFrame();
+        }
+
+        /// <summary>
+        /// The picture as bytes of red, green, blue and 255, row by row from the bottom, computed by the processor from
+        /// the device's video. It waits for the device, and is the way where <see cref="Picture"/> is null.
+        /// </summary>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public byte[] ReadPicture() => new ScreenPicture(Ready().Geometry, View(), ReadVideo()).Draw();
+
+        /// <summary>Advances the antenna, traces what it comes to, and draws; Unity's Update calls it.</summary>
+        /// <param name="seconds">Since the frame before.</param>
+        /// <exception cref="GlintException">A setting is out of its range, or the device lacks something.</exception>
+        public void Advance(double seconds)
+        {
+            Prepare();
+            double before = _headingTurns;
+            _headingTurns = Heading();
+            _turns += seconds * _radar.TurnsAMinute / 60 + Math.IEEERemainder(_headingTurns - before, 1);
+            _tracer.Begin(_turns);
+            AddSea();
+            int points = GatherPoints();
+            _tracer.AddPoints(_points, points, _waves != null);
+            _tracer.AddRain();
+            _tracer.Finish(_receiver);
+            if (_picture == null)
+                return;
+            // A device that was lost takes the texture with it.
+            if (!_picture.IsCreated())
+                _picture.Create();
+            _tracer.Draw(_picture, View(), QualitySettings.activeColorSpace == ColorSpace.Linear);
+        }
+
+        void Update()
+        {
+            if (!Application.isPlaying || _hasFailed && !_isStale)
+                return;
+            try
+            {
+                Advance(Time.deltaTime);
+                _hasFailed = false;
+            }
+            catch (GlintException problem)
+            {
+                // Once, until a setting changes.
+                (_hasFailed, _isStale) = (true, false);
+                Debug.LogError(problem.Message, this);
+            }
+        }
+
+        /// <summary>Refuses settings out of their ranges, and kernels that are missing.</summary>
+        /// <exception cref="GlintException">The message says which, and the way out.</exception>
+        public void Check()
+        {
+            _radar.Validate(Subject);
+            _receiver.Validate(Subject);
+            _display.Validate(Subject);
+            DeviceCheck.Require(_kernel, "Screen", "ScreenBeam", Subject);
+            // It refuses a sea that is tilted, too.
+            if (_sea != null && _sea.CurrentClutter() == null)
+                throw new GlintException($"{Subject}: its sea '{_sea.name}' has no clutter: turn Clutter on, or leave "
+                    + "Sea empty");
+        }
+
+        void Prepare()
+        {
+            if (_tracer != null && !_isStale)
+                return;
+            _isStale = false;
+            Release();
+            Check();
+            FiniteCheck.RefuseNotFinite(transform, Subject);
+            if (_ownShip != null)
+                FiniteCheck.RefuseNotFinite(_ownShip, Subject);
+            _compass = Compass.Find(Subject);
+            _tracer = new ScreenTracer(_kernel, Subject, _radar);
+            _turns = _headingTurns = Heading();
+            MakeSea();
+            MakePicture();
+        }
+
+        void MakePicture()
+        {
+            if (!ScreenTracer.CanDraw)
+            {
+                Debug.LogWarning($"{Subject}: {SystemInfo.graphicsDeviceName} does not draw into textures of the format "
+                    + "R8G8B8A8_UNorm: Picture is empty, use ReadPicture", this);
+                return;
+            }
+            if (_picture != null && _picture.width != _display.Side)
+            {
+                Free(_picture);
+                _picture = null;
+            }
+            if (_picture == null)
+                _picture = new RenderTexture(_display.Side, _display.Side, 0, GraphicsFormat.R8G8B8A8_UNorm)
+                {
+                    name = "Radar Screen", enableRandomWrite = true, hideFlags = HideFlags.DontSave
+                };
+            _picture.Create();
+        }
+
+        void MakeSea()
+        {
+            if (_sea == null)
+                return;
+            _tileMiddle = _sea.TileMiddle();
+            _waves = new ScreenSea(_seaKernel, Subject, _tracer.Geometry, _sea.ShownWaves, _sea.Clutter);
+        }
+
+        void AddSea()
+        {
+            if (_waves == null || _tracer.Slice.Traced == 0)
+                return;
+            _waves.Update(_sea.ShownTime);
+            _tracer.AddSea(_waves, (float3)(_sea.transform.InverseTransformPoint(transform.position) - _tileMiddle),
+                NorthTurns() - Compass.TurnsOf(_sea.transform.forward));
+        }
+
+        // Positions of the world, with north as +Z and the sea at 0.
+        int GatherPoints()
+        {
+            var reflectors = RadarReflector.Enabled;
+            if (_points.Length < reflectors.Count)
+                _points = new ScreenPoint[2 * reflectors.Count];
+            var antenna = FromWorld(transform.position);
+            for (int i = 0; i < reflectors.Count; i++)
+                _points[i] = _tracer.Geometry.PointOf(FromWorld(reflectors[i].transform.position), antenna,
+                    reflectors[i].CrossSection);
+            return reflectors.Count;
+        }
+
+        double3 FromWorld(Vector3 position)
+        {
+            double north = NorthTurns() * 2 * Math.PI, cosine = Math.Cos(north), sine = Math.Sin(north);
+            return new double3(position.x * cosine - position.z * sine, position.y - SeaLevel,
+                position.x * sine + position.z * cosine);
+        }
+
+        double SeaLevel => _sea == null ? 0 : _sea.transform.position.y;
+
+        double Heading() => Compass.TurnsOf((_ownShip == null ? transform : _ownShip).forward) - NorthTurns();
+
+        double NorthTurns() => _compass == null ? 0 : _compass.NorthTurns;
+
+        ScreenView View() => ScreenView.Of(_tracer.Geometry, _display, _receiver, new ScreenColours
+        {
+            Outside = Of(_outside), Background = Of(_background), Echo = Of(_echo), Trail = Of(_trail),
+            Rings = Of(_rings), Heading = Of(_heading), Marker = Of(_marker)
+        }, _headingTurns, _tracer.Front - 1);
+
+        static double3 Of(Color colour) => new double3(colour.r, colour.g, colour.b);
+
+        ScreenTracer Ready() => _tracer
+            ?? throw new GlintException($"{Subject} has no turn yet: let the scene play a frame, or call Advance");
+
+        void OnValidate() => _isStale = true;
+
+        void OnDisable()
+        {
+            Release();
+            if (_picture != null)
+                _picture.Release();
+        }
+
+        void OnDestroy()
+        {
+            if (_picture != null)
+                Free(_picture);
+        }
+
+        void Release()
+        {
+            _waves?.Dispose();
+            _tracer?.Dispose();
+            (_waves, _tracer) = (null, null);
+        }
+
+        static void Free(UnityEngine.Object made)
+        {
+            if (Application.isPlaying)
+                Destroy(made);
+            else
+                DestroyImmediate(made);
+        }
+    }
+}

@@ -1,0 +1,34 @@
+using UnityEngine;
+
+namespace Glint
+{
+    // Names as in Shaders/Screen*.hlsl.
+    static class ScreenIDs
+    {
+        public static readonly int _ScreenSize = Shader.PropertyToID("_ScreenSize");
+        public static readonly int _ScreenSlice = Shader.PropertyToID("_ScreenSlice");
+        public static readonly int _Echo = Shader.PropertyToID("_Echo");
+        public static readonly int _ScreenEcho = Shader.PropertyToID("_ScreenEcho");
+        public static readonly int _ScreenPoints = Shader.PropertyToID("_ScreenPoints");
+        public static readonly int _ScreenPointCount = Shader.PropertyToID("_ScreenPointCount");
+        public static readonly int _ScreenSea = Shader.PropertyToID("_ScreenSea");
+        public static readonly int _ScreenSeaSeed = Shader.PropertyToID("_ScreenSeaSeed");
+        public static readonly int _ScreenSeaCorner = Shader.PropertyToID("_ScreenSeaCorner");
+        public static readonly int _Echoes = Shader.PropertyToID("_Echoes");
+        public static readonly int _BeamWeights = Shader.PropertyToID("_BeamWeights");
+        public static readonly int _PulseWeights = Shader.PropertyToID("_PulseWeights");
+        public static readonly int _PulseCells = Shader.PropertyToID("_PulseCells");
+        public static readonly int _Signals = Shader.PropertyToID("_Signals");
+        public static readonly int _Levels = Shader.PropertyToID("_Levels");
+        public static readonly int _Video = Shader.PropertyToID("_Video");
+        public static readonly int _Receiver = Shader.PropertyToID("_Receiver");
+        public static readonly int _ReceiverFilters = Shader.PropertyToID("_ReceiverFilters");
+        public static readonly int _ShownVideo = Shader.PropertyToID("_ShownVideo");
+        public static readonly int _Picture = Shader.PropertyToID("_Picture");
+        public static readonly int _PictureView = Shader.PropertyToID("_PictureView");
+        public static readonly int _PictureFade = Shader.PropertyToID("_PictureFade");
+        public static readonly int _PictureHeading = Shader.PropertyToID("_PictureHeading");
+        public static readonly int _PictureBearing = Shader.PropertyToID("_PictureBearing");
+        public static readonly int _PictureColours = Shader.PropertyToID("_PictureColours");
+    }
+}

@@ -1,0 +1,54 @@
+#ifndef GLINT_SCREEN_ECHOES_FILE
+#define GLINT_SCREEN_ECHOES_FILE
+
+#include "Screen.hlsl"
+#include "Speckle.hlsl"
+
+// Echoes of the spokes of a frame. Sums of integers do not depend on the order of threads.
+
+// The complex field of each spoke and cell, real and imaginary part, in 1 / ECHO_UNITS of the root of the noise's power:
+// element 2 (spoke cells + cell). The beam and the pulse are applied later.
+RWStructuredBuffer<int> _Echo;
+
+float4 _ScreenEcho;                        // size of a cell, m; amplitude of 1 m2 at 1 m, in units; 4 ln 2 over the
+                                           // square of the beam's height, 1/rad2; amplitude of rain times cells of range
+static const float MAX_UNITS = 1.0e9;      // of one echo
+
+void AddEcho(uint spoke, uint cell, float2 field)
+{
+    int2 units = (int2)round(clamp(field, -MAX_UNITS, MAX_UNITS));
+    uint element = 2 * (spoke * _ScreenSize.y + cell);
+    InterlockedAdd(_Echo[element], units.x);
+    InterlockedAdd(_Echo[element + 1], units.y);
+}
+
+#if !defined(GLINT_SCREEN_SEA)
+
+[numthreads(64, 1, 1)]
+void ScreenClear(uint3 id : SV_DispatchThreadID)
+{
+    if (id.x < 2 * _ScreenSize.y)
+        _Echo[2 * SpokeAt(id.y) * _ScreenSize.y + id.x] = 0;
+}
+
+// Rain that fills the beam: a number of mean power 1 for each cell and turn.
+[numthreads(64, 1, 1)]
+void ScreenRain(uint3 id : SV_DispatchThreadID)
+{
+    if (id.x >= _ScreenSize.y)
+        return;
+    uint spoke = SpokeAt(id.y);
+    // Drops move by more than a wavelength between turns. The noise has other cells: those from 0.
+    float2 number = SpeckleAt(int2(-1 - (int)id.x, spoke), _ScreenSize.w, TurnAt(id.y)).xy;
+    AddEcho(spoke, id.x, _ScreenEcho.w / (id.x + 0.5) * number);
+}
+
+#endif
+
+#include "ScreenPoints.hlsl"
+
+#if defined(GLINT_SCREEN_SEA)
+#include "ScreenSea.hlsl"
+#endif
+
+#endif

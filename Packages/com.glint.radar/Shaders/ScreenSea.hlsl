@@ -1,0 +1,97 @@
+#ifndef GLINT_SCREEN_SEA_FILE
+#define GLINT_SCREEN_SEA_FILE
+
+#include "SeaMarch.hlsl"
+#include "SeaSigma.hlsl"
+
+// The diffuse echo of a sea's height field: one thread a facet, some facets a cell. A facet stands for the sea in its
+// part of the cell, with the slope of the field at its middle.
+
+float4 _ScreenSea;                         // from bearing to the sea's rotation about Y, turns; facets of a cell; vertical
+                                           // acceleration below which a crest breaks, m/s2
+uint _ScreenSeaSeed;                       // of the speckle
+float4 _ScreenSeaCorner;                   // corner of a grid cell against the wind: 0 or 1 along x and z; polarisation of
+                                           // Sigma0: 0 VV, 2 HH; factor of the field
+
+// Clearance of a shadow ray's start, m: bilinear heights differ from the facets', and float32 rounds 20 km to 1 mm.
+static const float SEA_CLEARANCE = 0.01;
+
+// Cells of speckle, apart from those of noise and rain.
+static const int SEA_SPECKLE = 0x40000000;
+
+// Direction of a bearing in the sea's frame: x, z.
+float2 SeaDirection(float turns)
+{
+    turns += _ScreenSea.x;
+    return Phasor(turns - floor(turns)).yx;
+}
+
+struct ScreenFacet
+{
+    float3 Normal;
+    bool IsBreaking;
+};
+
+// The triangle of the field's mesh at a position.
+ScreenFacet FacetAt(float2 position)
+{
+    float2 cells = SeaCellsOf(0, position), corner = floor(cells), within = cells - corner;
+    float4 heights = SeaPatch(0, corner);
+    float2 slope = _SeaCascades[0].y * (within.x + within.y < 1.0 ? heights.yz : heights.yz + heights.w);
+    uint2 crest = (uint2)((int2)corner + (int2)_ScreenSeaCorner.xy) & (SEA_SIDE - 1);
+    ScreenFacet facet;
+    facet.Normal = normalize(float3(-slope.x, 1.0, -slope.y));
+    facet.IsBreaking = _SeaPoints[crest.y * SEA_SIDE + crest.x].Acceleration < _ScreenSea.z;
+    return facet;
+}
+
+// Sigma0 of a facet in the radar's polarisation.
+float SigmaOf(ScreenFacet facet, float3 toRadar)
+{
+    float3 v = normalize(float3(0.0, 1.0, 0.0) - toRadar.y * toRadar);
+    float3 sigma = BraggSigma(facet.Normal, toRadar, v);
+    float smooth = (_ScreenSeaCorner.z > 0.0 ? sigma.z : sigma.x) + SpecularSigma(facet.Normal, toRadar);
+    return facet.IsBreaking ? BreakingSigma(saturate(toRadar.y)) : smooth;
+}
+
+[numthreads(64, 1, 1)]
+void ScreenSea(uint3 id : SV_DispatchThreadID)
+{
+    float depth = _ScreenEcho.x / _ScreenSea.y, range = (id.x + 0.5) * depth, height = _SeaRadar.y;
+    uint cell = id.x / (uint)_ScreenSea.y, spoke = SpokeAt(id.y);
+    if (cell >= _ScreenSize.y || range <= height)
+        return;
+    float ground = sqrt(range * range - height * height), width = TWO_PI / _ScreenSize.x;
+    float2 direction = SeaDirection((float)spoke / _ScreenSize.x), position = _SeaRadar.xz + ground * direction;
+    // The vertical at the facet is turned by the curvature of the earth.
+    float drop = _SeaRadar.w * ground * ground, rise = height - SeaHeight(position) - drop;
+    float3 toRadar = normalize(float3(-ground * direction.x, rise, -ground * direction.y));
+    ScreenFacet facet = FacetAt(position);
+    if (dot(facet.Normal, toRadar) <= 0.0 || !SeesSeaRadar(position, SEA_CLEARANCE))
+        return;
+    float sigma = SigmaOf(facet, toRadar) * range * width * depth / facet.Normal.y;
+    float elevation = (rise + 2.0 * drop) / ground;
+    float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * exp(-_ScreenEcho.z * elevation * elevation) * sqrt(sigma)
+        / (range * range);
+    // Speckle decorrelates within a tenth of a second, long before the next turn.
+    float2 number = SpeckleAt(int2(SEA_SPECKLE + (int)id.x, spoke), _ScreenSeaSeed, TurnAt(id.y)).xy;
+    AddEcho(spoke, cell, amplitude * number);
+}
+
+// Points that the waves may hide.
+[numthreads(64, 1, 1)]
+void ScreenPointsOverSea(uint3 id : SV_DispatchThreadID)
+{
+    if (id.x >= _ScreenPointCount)
+        return;
+    ScreenPoint echo = _ScreenPoints[id.x];
+    if (!IsInSlice(echo))
+        return;
+    float2 x = SeaDirection(0.25), z = SeaDirection(0.0), from = echo.Position.x * x + echo.Position.z * z;
+    float3 way = float3(from.x, echo.Position.y - _SeaRadar.w * dot(from, from), from.y);
+    float reach = length(way);
+    if (!MarchSea(_SeaRadar.xyz, way / reach, reach).IsHit)
+        AddEcho(echo.Spoke, echo.Cell, echo.Field);
+}
+
+#endif

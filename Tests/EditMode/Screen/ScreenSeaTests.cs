@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Glint.Tests
+{
+    /// <summary>The echo of a sea on the radar screen, and points that its waves hide.</summary>
+    public sealed class ScreenSeaTests
+    {
+        const double Wind = 10, Range = 1000;
+
+        // 10 degrees of grazing, where most of the surface is lit, against the wind: the sea lies to the south, and the
+        // wind blows to the north. Averages over 40 degrees, 200 m and three moments.
+        [TestCase(ScreenPolarisation.Vertical)]
+        [TestCase(ScreenPolarisation.Horizontal)]
+        public void Clutter_HasTheMeanOfTheTwoScaleSea(ScreenPolarisation polarisation)
+        {
+            var radar = RadarOf(polarisation);
+            double grazing = 10, height = Range * Math.Sin(math.radians(grazing));
+            using (var bench = new ScreenBench(radar))
+            using (var sea = new ScreenSea(TestKernels.SeaField, "test", bench.Geometry, Waves(), SeaClutterSettings.On))
+            {
+                double sum = 0, count = 0;
+                for (int moment = 0; moment < 3; moment++)
+                {
+                    sea.Update(10 * moment);
+                    foreach (double turns in new[] { (160 + 360.0 * moment) / 360, (200 + 360.0 * moment) / 360 })
+                    {
+                        bench.Tracer.Begin(turns);
+                        bench.Tracer.AddSea(sea, new double3(37, height, 51), 0);
+                        bench.Tracer.Finish(bench.Receiver);
+                    }
+                    var levels = bench.Levels();
+                    for (int spoke = 4096 * 16 / 36; spoke < 4096 * 20 / 36; spoke++)
+                        for (int cell = 115; cell < 141; cell++, count++)
+                            sum += Math.Pow(10, levels[bench.Element(spoke, cell)] / 10);
+                }
+                // Two-way beam and matched pulse; the cells are at 900 to 1,100 m, where R^-3 averages to its middle.
+                double gain = 26000 / (1.2 * 179), wave = 299792458 / 9.41e9,
+                    area = Range * 1.0645 / Math.Sqrt(2) * math.radians(1.2) * 2 / 3 * 299792458 / 2 * 80e-9
+                        / Math.Cos(math.radians(grazing)),
+                    noise = 1.380649e-23 * 290 / 80e-9 * Math.Pow(10, 0.5),
+                    factor = 25000 * gain * gain * wave * wave * area / (Math.Pow(4 * Math.PI, 3) * Math.Pow(Range, 4));
+                double sigma = (sum / count - 1) * noise / factor;
+                var expected = new AnalyticSea(Wind, radar.Frequency).WithShadow(90 - grazing, 0);
+                double decibels = 10 * Math.Log10(sigma / (polarisation == ScreenPolarisation.Vertical
+                    ? expected.VV : expected.HH));
+                TestContext.WriteLine($"{10 * Math.Log10(sigma):F2} dB, {decibels:F2} dB over the mean");
+                Assert.That(decibels, Is.EqualTo(0).Within(1));
+            }
+        }
+
+        // Against and with the wind a sea without shadow is the same, across it is lower: the spectrum has cos 2 phi.
+        [Test]
+        public void Clutter_AcrossTheWind_IsWeaker()
+        {
+            double Mean(double north)
+            {
+                using (var bench = new ScreenBench(RadarOf(ScreenPolarisation.Vertical)))
+                using (var sea = new ScreenSea(TestKernels.SeaField, "test", bench.Geometry, Waves(),
+                    SeaClutterSettings.On))
+                {
+                    sea.Update(0);
+                    foreach (double turns in new[] { 0, 30 / 360.0 })
+                    {
+                        bench.Tracer.Begin(turns);
+                        bench.Tracer.AddSea(sea, new double3(0, 500, 0), north);
+                        bench.Tracer.Finish(bench.Receiver);
+                    }
+                    var levels = bench.Levels();
+                    return 10 * Math.Log10(Enumerable.Range(0, 300).Average(spoke => Enumerable.Range(115, 26)
+                        .Average(cell => Math.Pow(10, levels[bench.Element(spoke, cell)] / 10))));
+                }
+            }
+            double along = Mean(0), across = Mean(0.25);
+            // 30 degrees of grazing: 3.4 to 3.7 dB in X band.
+            Assert.That(along - across, Is.InRange(2.5, 4.5));
+        }
+
+        [Test]
+        public void Points_BelowTheWaves_AreHidden_AndThoseAboveAreNot()
+        {
+            using (var bench = new ScreenBench(RadarOf(ScreenPolarisation.Vertical)))
+            using (var sea = new ScreenSea(TestKernels.SeaField, "test", bench.Geometry, Waves(), SeaClutterSettings.On))
+            {
+                sea.Update(0);
+                // 20 m of antenna: the ray to 10 m passes over all crests, that to -3 m does not.
+                ScreenPoint At(double bearing, double height) => bench.Geometry.PointOf(new double3(
+                    Range * Math.Sin(math.radians(bearing)), height, Range * Math.Cos(math.radians(bearing))),
+                    new double3(0, 20, 0), 1e5);
+                var points = new[] { At(90, 10), At(100, 10) };
+                points[1].Position.y = -23;
+                foreach (double turns in new[] { 85 / 360.0, 105 / 360.0 })
+                {
+                    bench.Tracer.Begin(turns);
+                    bench.Tracer.AddSea(sea, new double3(5, 20, 6), 0);
+                    bench.Tracer.AddPoints(points, 2, isOverSea: true);
+                    bench.Tracer.Finish(bench.Receiver);
+                }
+                var levels = bench.Levels();
+                double Level(ScreenPoint point) => levels[bench.Element(point.Spoke, point.Cell)];
+                Assert.That(Level(points[0]), Is.GreaterThan(80));
+                Assert.That(Level(points[1]), Is.LessThan(Level(points[0]) - 20));
+            }
+        }
+
+        [Test]
+        public void Level_OfAPublishedModel_IsRefused()
+        {
+            var clutter = SeaClutterSettings.On;
+            clutter.Level = ClutterLevel.Nrl;
+            Assert.That(() => new ScreenSea(TestKernels.SeaField, "screen",
+                new ScreenGeometry(ScreenRadar.Default, "screen"), Waves(), clutter),
+                Throws.InstanceOf<GlintException>().With.Message.Contains("set the sea's Level to Physics"));
+        }
+
+        [Test]
+        public void Constants_AreThoseOfCSharp()
+        {
+            Assert.That(ShaderConstants.Of("Screen.hlsl"), Is.EquivalentTo(
+                new Dictionary<string, double> { ["ECHO_UNITS"] = ScreenGeometry.UnitsOfNoise }));
+            Assert.That(ShaderConstants.Of("ScreenPicture.hlsl")["SCREEN_PIXEL_SPOKES"],
+                Is.EqualTo(ScreenPicture.MaxSpokes));
+        }
+
+        // Narrow cells around 1,000 m, and a beam without effect in elevation.
+        static ScreenRadar RadarOf(ScreenPolarisation polarisation)
+        {
+            var radar = ScreenRadar.Default;
+            (radar.Polarisation, radar.RangeScale, radar.Cells, radar.VerticalBeamWidth) =
+                (polarisation, 1200, 154, 179);
+            return radar;
+        }
+
+        static SeaSettings Waves()
+        {
+            var waves = SeaSettings.Default;
+            (waves.WindSpeed, waves.TileSize, waves.GridSize, waves.Choppiness) = (Wind, 256, 256, 0);
+            return waves;
+        }
+    }
+}

@@ -1,0 +1,126 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Net;
+using System.Net.Sockets;
+using Glint.Tests;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>glint ppi: files, radar video, refusals. The scene is the sample with fewer spokes and cells.</summary>
+public sealed class ScreenCommandTests
+{
+    static readonly string s_root = Project.FindRoot(AppContext.BaseDirectory);
+
+    string _folder, _scene;
+
+    [SetUp]
+    public void MakeScene()
+    {
+        _folder = Directory.CreateTempSubdirectory("glint-ppi-").FullName;
+        _scene = Path.Combine(s_root, "Assets", $"Ppi{Guid.NewGuid():N}.unity");
+        Write("    Spokes: 4096", "    Spokes: 1024", "    Cells: 1024", "    Cells: 100", "    Side: 1024",
+            "    Side: 96", "    RangeScale: 5556", "    RangeScale: 1000", "  _motion: 2", "  _motion: 0");
+    }
+
+    [TearDown]
+    public void Remove()
+    {
+        Directory.Delete(_folder, true);
+        File.Delete(_scene);
+        File.Delete(_scene + ".meta");
+    }
+
+    [Test]
+    public void Files_HaveTheTurn_AndTheVideoOfAllSpokes()
+    {
+        string video = Path.Combine(_folder, "video.ast");
+        Run("--turns", "1", "--fps", "5", "--asterix", video);
+
+        var messages = AsterixReader.Read(File.ReadAllBytes(video));
+        // From the heading of 20 degrees on, in clockwise order, each bearing once, and up to two frames of 82.
+        Assert.That(messages[0].StartDegrees, Is.EqualTo(20).Within(0.5));
+        Assert.That(messages.Count, Is.InRange(1024, 1024 + 2 * 82));
+        Assert.That(messages[256].StartDegrees, Is.EqualTo(110).Within(0.5));
+
+        string arrays = Path.Combine(_folder, "video.npz");
+        Assert.That(NumpyReader.Read(arrays, "power_dbw").Sizes, Is.EqualTo(new[] { 1024, 100 }));
+        double[] shown = NumpyReader.Read(arrays, "video").Numbers;
+        int spoke = (int)Math.Round(messages[300].StartDegrees / 360 * 1024 + 0.5);
+        for (int cell = 0; cell < 100; cell++)
+            Assert.That(messages[300].Cells[cell], Is.EqualTo(255 * shown[spoke * 100 + cell]).Within(0.5001));
+        Assert.That(File.ReadAllBytes(Path.Combine(_folder, "picture.png")).Take(4),
+            Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
+    }
+
+    /// <summary>The page's example, in Debian's Python.</summary>
+    [Test]
+    [Platform("Linux")]
+    public void PythonExample_OfThePage_ReadsAndPlotsTheFile()
+    {
+        Run("--turns", "1", "--fps", "1");
+        string output = PythonExample.Run("screen.md", "/usr/bin/python3", _folder);
+        Assert.That(output, Does.Match(@"^highest: [5-9]\d\.\d dB at \d+ m, \d+\.\d deg\n$"));
+        Assert.That(File.ReadAllBytes(Path.Combine(_folder, "turn.png")).Take(4),
+            Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
+    }
+
+    [Test]
+    public void Video_IsSentByUdp_ToThisMachine()
+    {
+        using var receiver = new UdpClient(new IPEndPoint(IPAddress.Loopback, 0));
+        receiver.Client.ReceiveTimeout = 5000;
+        int port = ((IPEndPoint)receiver.Client.LocalEndPoint).Port;
+        // A turn takes a quarter of a second. The loopback keeps what its buffer holds: the first datagrams.
+        Write("    TurnsAMinute: 24", "    TurnsAMinute: 240");
+        Run("--turns", "1", "--fps", "10", "--udp", $"{port}");
+        IPEndPoint from = null;
+        var message = AsterixReader.Read(receiver.Receive(ref from)).Single();
+        Assert.That((message.Index, message.Cells.Length), Is.EqualTo((0, 100)));
+    }
+
+    [TestCase(2, "--udp host:0: give a port from 1 to 65535, or host and port", "--udp", "host:0")]
+    [TestCase(2, "--ttl", "--ttl", "3")]
+    [TestCase(2, "--turns 0", "--turns", "0")]
+    public void Option_ThatIsWrong_IsRefused(int code, string message, params string[] options)
+    {
+        var (actual, _, error) = TestShell.Run(["ppi", _scene, .. options, "--out", Path.Combine(_folder, "none")]);
+        Assert.That(error, Does.Contain(message));
+        Assert.That(actual, Is.EqualTo(code));
+        Assert.That(Directory.Exists(Path.Combine(_folder, "none")), Is.False);
+    }
+
+    [Test]
+    public void Scene_WithoutAScreen_OrWithAWrongOne_IsRefusedBeforeFilesAreMade()
+    {
+        string output = Path.Combine(_folder, "none");
+        var (code, _, error) = TestShell.Run("ppi", "Scenes/SeaState5.unity", "--out", output);
+        Assert.That((code, error.Trim()), Is.EqualTo((1, "glint: Scenes/SeaState5.unity: has no radar screen; add a "
+            + "RadarScreen (Glint > Radar Screen) to an object of the scene")));
+        Write("    Frequency: 9410000000", "    Frequency: 0");
+        (code, _, error) = TestShell.Run("ppi", _scene, "--out", output);
+        Assert.That(error, Does.StartWith("glint: RadarScreen of 'Radar': frequency 0 Hz must be from"));
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(Directory.Exists(output), Is.False);
+    }
+
+    void Write(params string[] changes)
+    {
+        string text = File.ReadAllText(File.Exists(_scene) ? _scene
+            : Path.Combine(s_root, "Scenes", "HarbourApproach.unity"));
+        for (int i = 0; i < changes.Length; i += 2)
+        {
+            Assert.That(text, Does.Contain(changes[i]));
+            text = text.Replace(changes[i], changes[i + 1]);
+        }
+        File.WriteAllText(_scene, text);
+    }
+
+    void Run(params string[] options)
+    {
+        var (code, text, error) = TestShell.Run(["ppi", _scene, .. options, "--out", _folder]);
+        Assert.That(code, Is.Zero, error);
+        Assert.That(text, Does.Contain("main thread").And.Contain("kernels on the device"));
+    }
+}
