@@ -127,7 +127,7 @@ uint _SphereCount;
 StructuredBuffer<float4> _Spheres;         // about the triangles, relative to the scene's centre, m; w: radius
 uint2 _Blocks;                             // across and up
 
-uint FirstCoverWord()                      // base cells of the grid
+uint FirstCoverWord()                      // behind a list a base cell
 {
     return _MarkWords - (_Blocks.x * _Blocks.y + 31) / 32 - 1;
 }
@@ -138,13 +138,14 @@ RWStructuredBuffer<Tube> _Tubes;
 RWStructuredBuffer<uint> _TubeParts;       // of each tube: the triangle, or the edges of an object
 uint _HasParts;                            // 0: they are not asked for
 RWStructuredBuffer<float4> _TubeRates;     // of each tube, only if something moves: see RateOf
+
 // GLINT_CORNER: what the ray through a corner of a cell has met at a bounce (Runtime/CrossSection/Tube.cs).
 struct Corner
 {
     uint Signature;       // of the path up to it
     uint Bounces;         // in the first element of a corner: those of its ray
     float2 Strength;      // and its product with the error by bent phases
-    float4 Place;         // see PlaceOf
+    float4 Position;      // see PlaceOf
     float4 AlongU;        // its differentials
     float4 AlongV;
 };

@@ -80,10 +80,18 @@ bool IsCovered(uint2 cell)
     return _Marks[_MarkWords - 1] != 0 || (_Marks[FirstCoverWord() + (bit >> 5)] >> (bit & 31) & 1) != 0;
 }
 
+// Whether no triangle can be seen in the cell.
+bool IsEmpty(Cell cell)
+{
+    if (_Round > 0)
+        return false;
+    return !IsCovered(cell.Position);
+}
+
 // Whether the cell is to be traced.
 bool IsToTrace(Cell cell)
 {
-    if (_Round == 0 && !IsCovered(cell.Position))
+    if (IsEmpty(cell))
         return false;
     return !HasVertex(cell);
 }

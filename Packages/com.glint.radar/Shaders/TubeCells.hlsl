@@ -18,7 +18,7 @@ void AddBorder(Cell cell)
 // Adds what the ray through a corner has met.
 void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre)
 {
-    float4 position = 0.25 * corner.Place;
+    float4 position = 0.25 * corner.Position;
     float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
     bounce.AlongU += fromCentre.x * corner.AlongU;
     bounce.AlongV += fromCentre.y * corner.AlongV;
@@ -72,7 +72,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (index >= CellCount())
         return;
     Cell cell = LoadCell(index);
-    if (_Round == 0 && !IsCovered(cell.Position))
+    if (IsEmpty(cell))
         return;
     if (HasVertex(cell))
     {

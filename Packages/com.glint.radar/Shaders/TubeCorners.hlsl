@@ -33,34 +33,34 @@ bool HasPart(uint block, uint2 corner)
 }
 
 // A corner of cells.
-struct Place
+struct CornerPosition
 {
-    float2 Position;       // base cells
+    float2 OnGrid;         // base cells
     float Side;            // of its cells
     bool IsTraced;         // some cell needs it
     bool IsCounted;        // dispatches that share a base corner count it once
 };
 
-Place PlaceOfCorner(uint index)
+CornerPosition PositionOf(uint index)
 {
-    Place place;
-    place.Side = 1.0;
-    place.IsCounted = true;
+    CornerPosition position;
+    position.Side = 1.0;
+    position.IsCounted = true;
     if (_Round == 0)
     {
         uint2 inSlice = uint2(index % (_Grid.w + 1), index / (_Grid.w + 1)), corner = SliceStart() + inSlice;
-        place.Position = corner;
-        place.IsTraced = HasBaseCell(corner);
-        place.IsCounted = all(inSlice > 0 || corner == 0);
-        return place;
+        position.OnGrid = corner;
+        position.IsTraced = HasBaseCell(corner);
+        position.IsCounted = all(inSlice > 0 || corner == 0);
+        return position;
     }
     uint block = index / BLOCK_CORNERS, number = index % BLOCK_CORNERS;
     uint2 at = uint2(number % 3, number / 3);
     Cell cell = LoadCell(BLOCK_CELLS * block);
-    place.Side = SideOfCell(cell);
-    place.Position = place.Side * (cell.Position + at);
-    place.IsTraced = HasPart(block, at);
-    return place;
+    position.Side = SideOfCell(cell);
+    position.OnGrid = position.Side * (cell.Position + at);
+    position.IsTraced = HasPart(block, at);
+    return position;
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -69,10 +69,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint index = IndexOf(group, thread), bounces = 0;
     if (index >= CornerCount())
         return;
-    Place place = PlaceOfCorner(index);
-    if (!place.IsTraced)
+    CornerPosition position = PositionOf(index);
+    if (!position.IsTraced)
         return;
-    TubePath tube = BeginTube(place.Position);
+    TubePath tube = BeginTube(position.OnGrid);
     SurfacePoint at;
     [loop]
     while (AdvanceTube(tube, at))
@@ -83,8 +83,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.Signature = tube.Signature;
         corner.Bounces = 0;
         corner.Strength = StrengthAt(tube, at, receivers)
-            * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), place.Side));
-        corner.Place = PlaceOf(tube);
+            * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), position.Side));
+        corner.Position = PlaceOf(tube);
         corner.AlongU = DifferentialOf(tube, tube.PlaceU);
         corner.AlongV = DifferentialOf(tube, tube.PlaceV);
         _Corners[index * _MaxBounces + bounces++] = corner;
@@ -92,7 +92,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             break;
     }
     _Corners[index * _MaxBounces].Bounces = bounces;
-    if (place.IsCounted)
+    if (position.IsCounted)
         AddUnsigned(TUBE_RAYS, 1);
 }
 

@@ -49,7 +49,7 @@ namespace Glint.Tests
             };
             var corner = new TubeCorner
             {
-                Signature = 85, Bounces = 86, Strength = float2(87, 88), Place = float4(89, 90, 91, 92),
+                Signature = 85, Bounces = 86, Strength = float2(87, 88), Position = float4(89, 90, 91, 92),
                 AlongU = float4(93, 94, 95, 96), AlongV = float4(97, 98, 99, 100)
             };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36

@@ -128,6 +128,9 @@ namespace Glint.Tests
         {
             Assert.That(() => _screen.ReadLevels(), Throws.InstanceOf<GlintException>()
                 .With.Message.StartsWith("RadarScreen of 'Radar' has no turn yet"));
+            foreach (double seconds in new[] { -0.1, double.NaN, double.PositiveInfinity })
+                Assert.That(() => _screen.Advance(seconds), Throws.InstanceOf<GlintException>()
+                    .With.Message.Contains("give a time of 0 or more"));
             Assert.That(() => _screen.Radar = new ScreenRadar(), Throws.InstanceOf<GlintException>()
                 .With.Message.StartsWith("RadarScreen of 'Radar': frequency 0 Hz must be from"));
             var reflector = Reflector(Vector3.zero, 1);

@@ -39,6 +39,14 @@ namespace Glint.Tests
         }
 
         // At 22 deg of vertical width a point 11 deg above the antenna loses 3 dB each way.
+        [TestCase(double.NaN)]
+        [TestCase(double.PositiveInfinity)]
+        [TestCase(-1)]
+        [TestCase(0)]
+        public void Section_ThatIsNone_HasNoEcho(double section) =>
+            Assert.That(new ScreenGeometry(ScreenRadar.Default, "test").PointOf(new double3(0, 3, 1000),
+                new double3(0, 15, 0), section), Is.EqualTo(new ScreenPoint()));
+
         [Test]
         public void Elevation_LosesThePatternTwice()
         {

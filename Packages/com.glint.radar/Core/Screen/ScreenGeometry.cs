@@ -13,7 +13,7 @@ namespace Glint.Core
     {
         /// <summary>
         /// Units of a sum of echoes in the root of the noise's power: ECHO_UNITS in Shaders/Screen.hlsl. 32 bits hold
-        /// echoes up to 150 dB over noise; roundings are 36 dB below it.
+        /// 85 echoes of up to 112 dB over noise in a cell; roundings are 36 dB below it.
         /// </summary>
         public const double UnitsOfNoise = 64;
 
@@ -127,7 +127,7 @@ namespace Glint.Core
         {
             double3 way = position - antenna;
             double distance = math.length(way.xz), range = math.length(way);
-            if (!(range > 0 && range < Radar.RangeScale) || distance > Horizon(antenna.y) + Horizon(position.y))
+            if (!(section > 0 && section < double.PositiveInfinity) || !(range > 0 && range < Radar.RangeScale) || distance > Horizon(antenna.y) + Horizon(position.y))
                 return default;
             var point = new ScreenPoint
             {

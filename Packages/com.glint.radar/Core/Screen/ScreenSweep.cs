@@ -16,7 +16,7 @@ namespace Glint.Core
         public ScreenSweep(ScreenGeometry geometry) =>
             (_halfBeam, _spokes) = (geometry.HalfBeam, geometry.Radar.Spokes);
 
-        /// <summary>The most spokes of a frame: half a turn. A slower picture turns slower.</summary>
+        /// <summary>The most spokes of a frame: half a turn. Later frames finish what remains.</summary>
         public int MaxSpokes => _spokes / 2;
 
         /// <summary>The next spoke to trace.</summary>

@@ -6,6 +6,7 @@ using System.Linq;
 using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
+using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace Glint.Editor
@@ -28,6 +29,19 @@ namespace Glint.Editor
             string folder = line.IsGiven(ScreenOptions.Out) ? Path.GetFullPath(line.Get(ScreenOptions.Out))
                 : RunDescription.DefaultFolder(Path.GetFileNameWithoutExtension(line.Input)) + "-ppi";
             // The first frame refuses what is wrong, before files are made.
+            try
+            {
+                return Play(line, screen, folder, progress);
+            }
+            finally
+            {
+                screen.enabled = false;
+            }
+        }
+
+        static int Play(CommandLine line, RadarScreen screen, string folder, IProgressSink progress)
+        {
+            RequireFrames(line.Get(ScreenOptions.FrameRate), screen);
             var play = new ScenePlay(screen);
             play.Advance(line.Get(ScreenOptions.Time), 0);
             using (var output = new VideoOutput(line, screen.Geometry))
@@ -41,8 +55,16 @@ namespace Glint.Editor
                 WriteVideo(screen, video);
                 progress.Print($"written: {string.Join(", ", new[] { picture, video }.Concat(output.Paths))}");
             }
-            screen.enabled = false;
             return Batch.Done;
+        }
+
+        // A frame finishes half a turn at most.
+        static void RequireFrames(int rate, RadarScreen screen)
+        {
+            double atLeast = screen.Radar.TurnsAMinute / 30;
+            if (rate < atLeast)
+                throw new GlintException(FormattableString.Invariant(
+                    $"'{screen.name}' turns {screen.Radar.TurnsAMinute:g4} times a minute, and a frame shows half a turn at most: give at least {Math.Ceiling(atLeast)} for {ScreenOptions.FrameRate.Flag}"));
         }
 
         static int Turn(CommandLine line, ScenePlay play, VideoOutput output, IProgressSink progress)
@@ -95,7 +117,8 @@ namespace Glint.Editor
 
         static byte[] Pixels(RadarScreen screen)
         {
-            if (screen.Picture == null)
+            // The texture of a project with linear colours is not encoded as PNG files are.
+            if (screen.Picture == null || QualitySettings.activeColorSpace == ColorSpace.Linear)
                 return screen.ReadPicture();
             var request = AsyncGPUReadback.Request(screen.Picture);
             request.WaitForCompletion();
@@ -157,10 +180,10 @@ namespace Glint.Editor
     sealed class VideoOutput : IDisposable
     {
         readonly ScreenAsterix _encoder;
-        readonly FileStream _file;
         readonly DatagramSender _sender;
         readonly double _start = DateTime.UtcNow.TimeOfDay.TotalSeconds;
 
+        FileStream _file;
         double _seconds;
 
         public VideoOutput(CommandLine line, ScreenGeometry geometry)
@@ -172,15 +195,26 @@ namespace Glint.Editor
             _encoder = new ScreenAsterix(geometry);
             if (udp != null)
                 _sender = new DatagramSender(udp.Port, udp.Host, line.Get(ScreenOptions.Ttl));
-            if (path == null)
-                return;
-            path = Path.GetFullPath(path);
-            Directory.CreateDirectory(Path.GetDirectoryName(path));
-            _file = File.Create(path);
+            if (path != null)
+                Open(Path.GetFullPath(path));
+        }
+
+        void Open(string path)
+        {
+            try
+            {
+                Directory.CreateDirectory(Path.GetDirectoryName(path));
+                _file = File.Create(path);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
             Paths = new[] { path };
         }
 
-        public string[] Paths { get; } = new string[0];
+        public string[] Paths { get; private set; } = new string[0];
 
         /// <summary>Writes the spokes of the last frame.</summary>
         public void Add(RadarScreen screen)

@@ -25,7 +25,7 @@ namespace Glint
             + "Empty: none.")]
         Sea _sea;
 
-        [SerializeField, Tooltip("Transmitter, antenna and range cells. A change starts the picture anew.")]
+        [SerializeField, Tooltip("Transmitter, antenna and range cells. A change starts the picture again.")]
         ScreenRadar _radar = ScreenRadar.Default;
 
         [SerializeField, Tooltip("Controls of the receiver.")]
@@ -68,7 +68,9 @@ namespace Glint
         ScreenPoint[] _points = new ScreenPoint[16];
         Vector3 _tileMiddle;
         double _turns, _headingTurns;
-        bool _isStale, _hasFailed;
+        // Stale: the turn begins again. Changed: settings are checked.
+        bool _isStale, _isChanged, _hasFailed;
+        (Sea, ComputeShader, ComputeShader) _madeOf;
 
         /// <summary>
         /// The picture, which stays the same object until the component is destroyed or its size changes; null where
@@ -81,7 +83,7 @@ namespace Glint
 
         /// <summary>
         /// Sea around the radar; null: none. It is endless for the screen. A change of its settings is seen when the
-        /// picture starts anew, its time at once.
+        /// picture starts again, its time at once.
         /// </summary>
         public Sea Sea
         {
@@ -89,7 +91,7 @@ namespace Glint
             set => (_sea, _isStale) = (value, true);
         }
 
-        /// <summary>Transmitter, antenna and range cells. Another radar starts the picture anew.</summary>
+        /// <summary>Transmitter, antenna and range cells. Another radar starts the picture again.</summary>
         /// <exception cref="GlintException">A setting is out of its range.</exception>
         public ScreenRadar Radar
         {
@@ -127,10 +129,10 @@ namespace Glint
         }
 
         /// <summary>Packages/com.glint.radar/Shaders/Screen.compute.</summary>
-        public ComputeShader Kernel { get => _kernel; set => _kernel = value; }
+        public ComputeShader Kernel { get => _kernel; set => (_kernel, _isStale) = (value, true); }
 
         /// <summary>Packages/com.glint.radar/Shaders/SeaField.compute; only with a sea.</summary>
-        public ComputeShader SeaKernel { get => _seaKernel; set => _seaKernel = value; }
+        public ComputeShader SeaKernel { get => _seaKernel; set => (_seaKernel, _isStale) = (value, true); }
 
         /// <summary>True bearing of the antenna in degrees from 0 to 360, clockwise from north.</summary>
         public double AntennaDegrees => 360 * (_turns - Math.Floor(_turns));
@@ -188,9 +190,14 @@ namespace Glint
 
         /// <summary>Advances the antenna, traces what it comes to, and draws; Unity's Update calls it.</summary>
         /// <param name="seconds">Since the frame before.</param>
-        /// <exception cref="GlintException">A setting is out of its range, or the device lacks something.</exception>
+        /// <exception cref="GlintException">
+        /// A setting is out of its range, the device lacks something, or the time is negative or not finite.
+        /// </exception>
         public void Advance(double seconds)
         {
+            if (!(seconds >= 0 && seconds < double.PositiveInfinity))
+                throw new GlintException(FormattableString.Invariant(
+                    $"{Subject}: a frame of {seconds} s: give a time of 0 or more"));
             Prepare();
             double before = _headingTurns;
             _headingTurns = Heading();
@@ -242,17 +249,38 @@ namespace Glint
 
         void Prepare()
         {
-            if (_tracer != null && !_isStale)
+            // A sea may be destroyed while the screen runs.
+            bool lostSea = _waves != null && _sea == null;
+            if (_tracer != null && !_isStale && !lostSea)
+            {
+                if (_isChanged)
+                    Check();
+                _isChanged = false;
                 return;
-            _isStale = false;
+            }
+            (_isStale, _isChanged) = (false, false);
             Release();
             Check();
+            try
+            {
+                Make();
+            }
+            catch
+            {
+                Release();
+                throw;
+            }
+        }
+
+        void Make()
+        {
             FiniteCheck.RefuseNotFinite(transform, Subject);
             if (_ownShip != null)
                 FiniteCheck.RefuseNotFinite(_ownShip, Subject);
             _compass = Compass.Find(Subject);
             _tracer = new ScreenTracer(_kernel, Subject, _radar);
             _turns = _headingTurns = Heading();
+            _madeOf = (_sea, _kernel, _seaKernel);
             MakeSea();
             MakePicture();
         }
@@ -332,10 +360,17 @@ namespace Glint
         ScreenTracer Ready() => _tracer
             ?? throw new GlintException($"{Subject} has no turn yet: let the scene play a frame, or call Advance");
 
-        void OnValidate() => _isStale = true;
+        // Controls of receiver and display act at once; only other settings start the turn again.
+        void OnValidate()
+        {
+            (_hasFailed, _isChanged) = (false, true);
+            _isStale = _isStale || _tracer == null || !_tracer.Geometry.Radar.Equals(_radar)
+                || _madeOf != (_sea, _kernel, _seaKernel) || _picture != null && _picture.width != _display.Side;
+        }
 
         void OnDisable()
         {
+            _hasFailed = false;
             Release();
             if (_picture != null)
                 _picture.Release();

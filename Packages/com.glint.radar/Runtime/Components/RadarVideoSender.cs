@@ -31,6 +31,7 @@ namespace Glint
         ScreenGeometry _geometry;
         DatagramSender _sender;
         bool _hasFailed;
+        long _sent;                        // first spoke of the last frame sent
 
         /// <summary>Name or address of a machine or of a multicast group; taken when the component is enabled.</summary>
         public string Host { get => _host; set => _host = value; }
@@ -59,6 +60,9 @@ namespace Glint
             var tracer = _screen.Tracer;
             if (_sender == null || tracer == null || _hasFailed || tracer.Slice.Finished == 0)
                 return;
+            if (_geometry == tracer.Geometry && _sent == tracer.Slice.FirstFinished)
+                return;
+            _sent = tracer.Slice.FirstFinished;
             if (_geometry != tracer.Geometry)
                 (_geometry, _encoder) = (tracer.Geometry, new ScreenAsterix(tracer.Geometry));
             int spokes = _geometry.Radar.Spokes, first = (int)(tracer.Slice.FirstFinished & (spokes - 1)),
@@ -76,7 +80,7 @@ namespace Glint
             AsyncGPUReadback.Request(tracer.Video.Buffer, count * bytes, inTurn * bytes, request =>
             {
                 // The screen may have gone in the meantime.
-                if (!request.hasError && _sender != null)
+                if (!request.hasError && _sender != null && !_hasFailed)
                     Attempt(() => Send(encoder, geometry, request.GetData<float2>().ToArray(), first, seconds));
             });
         }

@@ -202,7 +202,7 @@ namespace Glint
             _waveNumbers.Upload(Enumerable.Range(0, pose.Samples).Select(sample =>
                 TubeRounds.WaveNumber(pose.FrequencyOf(sample), pose.TimeOf(sample))).ToArray());
             _kernels.SetLists(_output, _tubes, _tubeParts, _tubeRates, _cells, _borders, _corners,
-                _waveNumbers);
+                _waveNumbers, CellCapacity(pose));
             _marks.Reserve(TubeKernels.MarkWordsOf(grid));
             _links.Reserve(Math.Max(1, TubeKernels.VertexLinks * _surfaces.VertexCount));
             _kernels.Mark(grid, _surfaces, _marks, _links);

@@ -21,7 +21,7 @@ namespace Glint
     {
         public uint Signature, Bounces;
         public float2 Strength;
-        public float4 Place, AlongU, AlongV;
+        public float4 Position, AlongU, AlongV;
     }
 
     // GLINT_CELL: Shaders/TubeBindings.hlsl, where the fields are explained.

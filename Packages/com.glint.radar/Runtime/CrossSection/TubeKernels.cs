@@ -136,11 +136,11 @@ namespace Glint
         /// <inheritdoc cref="TubeRounds.SetLists"/>
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<uint> tubeParts,
             DeviceBuffer<float4> tubeRates, DeviceBuffer<TubeCell> cells, DeviceBuffer<TubeCell> borders,
-            DeviceBuffer<TubeCorner> corners, DeviceBuffer<float4> waveNumbers)
+            DeviceBuffer<TubeCorner> corners, DeviceBuffer<float4> waveNumbers, int cellCapacity)
         {
             foreach (int kernel in new[] { _corners, _cells })
                 _shader.SetBuffer(kernel, TubeIDs._Corners, corners.Buffer);
-            _rounds.SetLists(output, tubes, cells, borders, waveNumbers);
+            _rounds.SetLists(output, tubes, cells, borders, waveNumbers, cellCapacity);
             foreach (int kernel in _rounds.Tracing.Append(_rounds.Summing).Append(_fringes).Append(_parts))
                 _shader.SetBuffer(kernel, TubeIDs._TubeRates, tubeRates.Buffer);
             foreach (int kernel in new[] { _fringes, _parts })

@@ -77,8 +77,9 @@ namespace Glint
         }
 
         /// <summary>Sets the lists that the kernels leave to each other.</summary>
+        /// <param name="cellCapacity">Cells of a round at most: the list may be longer.</param>
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
-            DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
+            DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers, int cellCapacity)
         {
             foreach (int kernel in Tracing.Concat(new[] { _clear, _prepareBorders, _prepareCells, _sums }))
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
@@ -92,7 +93,7 @@ namespace Glint
             foreach (int kernel in new[] { _prepareBorders, _prepareCells })
                 _shader.SetBuffer(kernel, ShaderIDs._Arguments, _arguments);
             _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, waveNumbers.Buffer);
-            _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cells.Capacity, borders.Capacity, 0);
+            _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cellCapacity, borders.Capacity, 0);
         }
 
         /// <summary>Clears counts and sums.</summary>

@@ -55,8 +55,9 @@ namespace Glint
             try
             {
                 Echo.Reserve(2 * cells);
-                Levels.Reserve(cells);
-                Video.Reserve(cells);
+                // Spokes that were not finished yet are dark.
+                Levels.Upload(new float[cells]);
+                Video.Upload(new float2[cells]);
                 _signals.Reserve((long)_sweep.MaxSpokes * radar.Cells);
                 _beamWeights.Upload(Geometry.Beam);
                 _pulseWeights.Upload(Geometry.Pulse);

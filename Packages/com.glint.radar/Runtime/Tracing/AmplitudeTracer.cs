@@ -186,7 +186,7 @@ namespace Glint
             _cells.Reserve(ListCapacity);
             _borders.Reserve(ListCapacity);
             _waveNumbers.Upload(new[] { waveNumber });
-            _kernels.Rounds.SetLists(_output, _tubes, _cells, _borders, _waveNumbers);
+            _kernels.Rounds.SetLists(_output, _tubes, _cells, _borders, _waveNumbers, ListCapacity);
             _kernels.SetPoints(_output, _points, PointCapacity);
             _revealedWords = new uint[AmplitudeKernels.RevealedWords * grid.Count.x * grid.Count.y];
             _revealed.Upload(_revealedWords);

@@ -92,6 +92,15 @@ public sealed class ScreenCommandTests
     }
 
     [Test]
+    public void FrameRate_BelowTwoFramesATurn_IsRefused()
+    {
+        Write("    TurnsAMinute: 24", "    TurnsAMinute: 60");
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--fps", "1", "--out", Path.Combine(_folder, "none"));
+        Assert.That((code, error.Trim()), Is.EqualTo((1, "glint: 'Radar' turns 60 times a minute, and a frame shows half "
+            + "a turn at most: give at least 2 for --fps")));
+    }
+
+    [Test]
     public void Scene_WithoutAScreen_OrWithAWrongOne_IsRefusedBeforeFilesAreMade()
     {
         string output = Path.Combine(_folder, "none");
