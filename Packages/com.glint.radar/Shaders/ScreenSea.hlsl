@@ -70,7 +70,7 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
     if (dot(facet.Normal, toRadar) <= 0.0 || !SeesSeaRadar(position, SEA_CLEARANCE))
         return;
     float sigma = SigmaOf(facet, toRadar) * range * width * depth / facet.Normal.y;
-    float elevation = (rise + 2.0 * drop) / ground;
+    float elevation = atan((rise + 2.0 * drop) / ground);
     float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * exp(-_ScreenEcho.z * elevation * elevation) * sqrt(sigma)
         / (range * range);
     // Speckle decorrelates within a tenth of a second, long before the next turn.

@@ -127,7 +127,8 @@ namespace Glint.Core
         {
             double3 way = position - antenna;
             double distance = math.length(way.xz), range = math.length(way);
-            if (!(section > 0 && section < double.PositiveInfinity) || !(range > 0 && range < Radar.RangeScale) || distance > Horizon(antenna.y) + Horizon(position.y))
+            if (!(section > 0 && section < double.PositiveInfinity) || !(range > 0 && range < Radar.RangeScale)
+                || distance > Horizon(antenna.y) + Horizon(position.y))
                 return default;
             var point = new ScreenPoint
             {

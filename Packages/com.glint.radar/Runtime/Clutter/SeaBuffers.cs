@@ -35,7 +35,8 @@ namespace Glint
             var breaking = sea.Clutter.BreakingFacets;
             if (mesh != _mesh || breaking != _breaking)
                 Facets.Upload(FacetsOf(mesh, breaking));
-            var velocities = areMoving ? sea.Clutter.FacetVelocities : Array.Empty<double3>();
+            // Those of an earlier pulse stay: poses may read them in turns.
+            var velocities = areMoving ? sea.Clutter.FacetVelocities : _velocities ?? Array.Empty<double3>();
             if (velocities != _velocities)
                 Velocities.Upload(velocities.Select(velocity => new float4((float3)velocity, 0)).ToArray());
             _velocities = velocities;

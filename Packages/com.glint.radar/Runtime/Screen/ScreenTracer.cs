@@ -11,9 +11,9 @@ namespace Glint
     /// allocates nothing a frame, and knows no GameObjects.
     /// </summary>
     /// <remarks>
-    /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddSea"/>, <see cref="AddPoints"/>, <see cref="AddRain"/>, any
-    /// kernel that adds to <see cref="Echo"/> in the spokes of the slice), then <see cref="Finish"/> and
-    /// <see cref="Draw"/>.
+    /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddSea"/>, <see cref="AddPoints"/>,
+    /// <see cref="AddRain"/>, any kernel that adds to <see cref="Echo"/> in the spokes of the slice), then
+    /// <see cref="Finish"/> and <see cref="Draw"/>.
     /// </remarks>
     sealed class ScreenTracer : IDisposable
     {
