@@ -68,19 +68,20 @@ namespace Glint.Tests
         [Test]
         public void Trace_OfPulses_IsTheSumOverFacetsThatMoveWithTheWater()
         {
-            const double start = 50, later = 3e-3, other = 0.99 * TenGigahertz;
+            const double start = 50, later = 3e-3;
             var sea = new TestSea(8, 32, 16, 20, 0);
             var clutter = sea.Clutter.At(start);
             var pose = sea.Pose(35, 60, clutter);
-            (pose.Frequencies, pose.Times) = (new[] { other, TenGigahertz }, new[] { 0, later });
-            pose.BandCentre = TenGigahertz;
+            // Of the diffuse echo only: the mirror's need not be known well.
+            (pose.Times, pose.ToleranceDb) = (new[] { 0, later }, 10);
+            pose.BandCentre = 0.99 * TenGigahertz;
             var echoes = Tracer.Trace(pose).Clutter;
-            for (int sample = 0; sample < 4; sample++)
+            for (int sample = 0; sample < 2; sample++)
             {
                 var expected = FieldOf(sea, clutter, pose, pose.FrequencyOf(sample), pose.TimeOf(sample));
                 Assert.That((echoes[sample].S.VV - expected).Magnitude, Is.LessThan(0.01 * expected.Magnitude));
             }
-            Assert.That((echoes[3].S.VV - echoes[1].S.VV).Magnitude, Is.GreaterThan(0.2 * echoes[1].S.VV.Magnitude));
+            Assert.That((echoes[1].S.VV - echoes[0].S.VV).Magnitude, Is.GreaterThan(0.2 * echoes[0].S.VV.Magnitude));
         }
 
         static Complex FieldOf(TestSea sea, SeaClutter clutter, CrossSectionPose pose, double frequency, double time)
