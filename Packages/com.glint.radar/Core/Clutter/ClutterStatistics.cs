@@ -72,6 +72,9 @@ namespace Glint.Core
         /// <summary>Radius in metres of an earth with straight rays: four thirds of the true one, 6,371 km.</summary>
         public const double EarthRadius = 4.0 / 3 * 6371000;
 
+        /// <summary>By how much the mean level of the sea lies lower at a distance, metres.</summary>
+        public static double DropAt(double distance) => distance * distance / (2 * EarthRadius);
+
         /// <summary>
         /// Fraction of a Gaussian surface that a radar sees (Smith 1967), within 2 to 5 % of traced surfaces.
         /// </summary>

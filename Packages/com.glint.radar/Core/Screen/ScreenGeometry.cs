@@ -135,8 +135,7 @@ namespace Glint.Core
                 Position = (float3)way, Cell = Math.Min((int)(range / CellSize), Radar.Cells - 1),
                 Spoke = SpokeOf(Math.Atan2(way.x, way.z) / (2 * Math.PI))
             };
-            double drop = distance * distance / (2 * ClutterGeometry.EarthRadius);
-            double amplitude = Amplitude(section, range, Math.Atan2(way.y - drop, distance))
+            double amplitude = Amplitude(section, range, Math.Atan2(way.y - ClutterGeometry.DropAt(distance), distance))
                 * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);
             double phase = 2 * _waveNumber * range;
             point.Amplitude = (float)amplitude;

@@ -48,6 +48,6 @@ namespace Glint.Core
 
         // Height over the tangent plane at the point of reflection.
         static double Above(double height, double distance) =>
-            height - distance * distance / (2 * ClutterGeometry.EarthRadius);
+            height - ClutterGeometry.DropAt(distance);
     }
 }
