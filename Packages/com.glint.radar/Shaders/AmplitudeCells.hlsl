@@ -125,10 +125,7 @@ void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         }
         cell.Bent = MISS;
     }
-    uint border;
-    InterlockedAdd(_Sums[TUBE_BORDERS], 1, border);
-    if (border < _ListCapacity.z)
-        _Borders[border] = cell;
+    AddBorder(cell);
 }
 
 #endif

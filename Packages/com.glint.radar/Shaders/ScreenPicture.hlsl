@@ -2,6 +2,7 @@
 #define GLINT_SCREEN_PICTURE_FILE
 
 #include "Screen.hlsl"
+#include "Trigonometry.hlsl"
 
 // From the video of a turn to a picture: Core/Screen/ScreenPicture.cs explains the steps.
 
@@ -16,7 +17,6 @@ float4 _PictureHeading, _PictureBearing;   // directions of lines in the picture
 float4 _PictureColours[7];                 // ScreenColours, in the order of its members
 
 static const float SCREEN_PIXEL_SPOKES = 64.0; // that a pixel shows at most, to each side
-static const float TURN = 6.28318530717958647692;
 
 float2 LargestVideo(int spoke, uint first, uint last)
 {
@@ -31,8 +31,8 @@ float2 LargestVideo(int spoke, uint first, uint last)
 // The largest video and trail of the cells that a pixel touches.
 float2 VideoAt(float2 position, float radius)
 {
-    float spokes = _ScreenSize.x, turns = atan2(position.x, position.y) / TURN + _PictureView.y;
-    float spoke = (turns - floor(turns)) * spokes, width = spokes / (TURN * max(radius, 0.5));
+    float spokes = _ScreenSize.x, turns = atan2(position.x, position.y) / TWO_PI + _PictureView.y;
+    float spoke = (turns - floor(turns)) * spokes, width = spokes / (TWO_PI * max(radius, 0.5));
     float cells = _ScreenSize.y / (0.5 * _PictureView.x);
     uint first = (uint)max(0.0, floor((radius - 0.5) * cells));
     uint last = min(_ScreenSize.y - 1, max(first, (uint)ceil((radius + 0.5) * cells) - 1));

@@ -7,14 +7,6 @@
 // Sums the cells whose corners see the same, as one tube each, and lists the others as borders. One thread a cell, which
 // follows the ray through its centre.
 
-void AddBorder(Cell cell)
-{
-    uint border;
-    InterlockedAdd(_Sums[TUBE_BORDERS], 1, border);
-    if (border < _ListCapacity.z)
-        _Borders[border] = cell;
-}
-
 // Adds what the ray through a corner has met.
 void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre)
 {

@@ -33,6 +33,15 @@ bool IsSmall(Cell cell)
     return CRUDE_ERROR * side * side * cell.Strength <= _CellError;
 }
 
+// Lists a cell among those through which a border runs.
+void AddBorder(Cell cell)
+{
+    uint border;
+    InterlockedAdd(_Sums[TUBE_BORDERS], 1, border);
+    if (border < _ListCapacity.z)
+        _Borders[border] = cell;
+}
+
 // The border through a cell, which cuts two of its sides.
 struct Border
 {

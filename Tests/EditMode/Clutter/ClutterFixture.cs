@@ -1,16 +1,8 @@
-using NUnit.Framework;
-
 namespace Glint.Tests
 {
     /// <summary>One tracer of clutter for all tests of a class.</summary>
-    public abstract class ClutterFixture
+    public abstract class ClutterFixture : TracerFixture<ClutterTracer>
     {
-        protected ClutterTracer Tracer { get; private set; }
-
-        [OneTimeSetUp]
-        public void MakeTracer() => Tracer = new ClutterTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => Tracer.Dispose();
+        protected override ClutterTracer Make() => new ClutterTracer(TestKernels.Tubes);
     }
 }

@@ -1,16 +1,8 @@
-using NUnit.Framework;
-
 namespace Glint.Tests
 {
     /// <summary>One tracer of cross sections for all tests of a class.</summary>
-    public abstract class CrossSectionFixture
+    public abstract class CrossSectionFixture : TracerFixture<CrossSectionTracer>
     {
-        protected CrossSectionTracer Tracer { get; private set; }
-
-        [OneTimeSetUp]
-        public void MakeTracer() => Tracer = new CrossSectionTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => Tracer.Dispose();
+        protected override CrossSectionTracer Make() => new CrossSectionTracer(TestKernels.Tubes);
     }
 }

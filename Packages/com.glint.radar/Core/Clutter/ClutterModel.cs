@@ -48,6 +48,9 @@ namespace Glint.Core
         public static readonly IReadOnlyList<ClutterModel> Formulas =
             new ClutterModel[] { new NrlModel(), new GitModel(), new TscModel(), new HybridModel() };
 
+        /// <summary>Name of a level in options and results: "nrl".</summary>
+        public static string NameOf(ClutterLevel level) => level.ToString().ToLowerInvariant();
+
         /// <summary>The model of a level that is a formula; null for physics.</summary>
         /// <exception cref="GlintException">The level is a table.</exception>
         public static ClutterModel Of(ClutterLevel level)

@@ -16,8 +16,9 @@ namespace Glint.Core
         readonly RadarScene _scene;
         readonly MeshInstance _tile;
         readonly double3 _x, _z; // unit vectors along the tile's sides
-        readonly double _size, _height; // metres
-        readonly double2 _overhang; // of the mesh over the sides of the tile, metres
+        readonly double _size; // metres
+        // Of the waves, and of the mesh over the sides of the tile, metres; only poses and cells need them.
+        readonly Lazy<(double Height, double2 Overhang)> _box;
 
         /// <summary>The sea of a scene.</summary>
         public EndlessSea(RadarScene scene, RadarSea sea)
@@ -27,11 +28,7 @@ namespace Glint.Core
             _tile.ToWorld.Origin = 0;
             (_x, _z) = (math.normalize(_tile.ToWorld.X), math.normalize(_tile.ToWorld.Z));
             _size = Clutter.LongWaves.Settings.TileSize;
-            double3 boxMin = double.PositiveInfinity, boxMax = double.NegativeInfinity;
-            foreach (var vertex in _tile.Mesh.Vertices)
-                (boxMin, boxMax) = (math.min(boxMin, vertex), math.max(boxMax, vertex));
-            _height = boxMax.y - boxMin.y;
-            _overhang = math.max(0, math.max(boxMax, -boxMin).xz - _size / 2);
+            _box = new Lazy<(double, double2)>(BoxOf);
         }
 
         /// <summary>Its echo.</summary>
@@ -67,8 +64,8 @@ namespace Glint.Core
             var radar = RadarAspect.At(azimuthDegrees, 0);
             double3 across = radar.Right, along = -radar.ToRadar;
             double2 step = size.yx, half = _size / 2 * new double2(Reach(across), Reach(along)),
-                before = math.ceil(math.length(_overhang) / step),
-                count = before + math.ceil(2 * half / step - Rounding) + math.ceil(math.length(_overhang) / step);
+                before = math.ceil(math.length(_box.Value.Overhang) / step),
+                count = before + math.ceil(2 * half / step - Rounding) + math.ceil(math.length(_box.Value.Overhang) / step);
             if (!(count.x * count.y <= maxCells))
                 throw new GlintException(FormattableString.Invariant(
                     $"sea clutter: a tile of {_size:g6} m has {count.x * count.y:g6} cells of {size.x:g6} x {size.y:g6} m, at most {maxCells} are possible: give larger cells"));
@@ -79,14 +76,21 @@ namespace Glint.Core
             return (new ClutterGrid(corner.x * across + corner.y * along, across, along, step, cells), areWhole);
         }
 
+        (double, double2) BoxOf()
+        {
+            var box = _tile.Mesh.Bound();
+            double3 min = box.Min, max = box.Max;
+            return (max.y - min.y, math.max(0, math.max(max, -min).xz - _size / 2));
+        }
+
         // Tiles that a shadow ray from the middle one meets below the highest crest: boxes that the moving box touches.
         IEnumerable<int2> ShadingTiles(RadarAspect radar, double grazingDegrees)
         {
-            double length = _height / Math.Tan(math.radians(grazingDegrees)) / _size;
+            double length = _box.Value.Height / Math.Tan(math.radians(grazingDegrees)) / _size;
             double3 towards = new double3(radar.ToRadar.x, 0, radar.ToRadar.z);
             double2 way = math.lengthsq(towards) == 0 ? 0
                 : length * new double2(math.dot(_x, towards), math.dot(_z, towards)) / math.length(towards);
-            double2 width = 1 + 2 * _overhang / _size - Rounding;
+            double2 width = 1 + 2 * _box.Value.Overhang / _size - Rounding;
             int2 first = (int2)math.floor(math.min(0, way) - width), last = (int2)math.ceil(math.max(0, way) + width);
             for (int z = first.y; z <= last.y; z++)
                 for (int x = first.x; x <= last.x; x++)

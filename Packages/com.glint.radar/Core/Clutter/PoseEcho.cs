@@ -1,6 +1,3 @@
-using System;
-using System.Numerics;
-
 namespace Glint.Core
 {
     /// <summary>
@@ -22,7 +19,7 @@ namespace Glint.Core
         /// <summary>
         /// Cross section of signal and clutter together, with the speckle of this moment, dBsm; null for 0.
         /// </summary>
-        public double? SigmaDbsm(Polarisation polarisation) => Decibels(Power(polarisation.Of(_all)));
+        public double? SigmaDbsm(Polarisation polarisation) => Decibels(PowerLevel.Of(polarisation.Of(_all)));
 
         /// <summary>Cross section of the clutter, its mean over the speckle, dBsm; null for 0.</summary>
         public double? ClutterDbsm(Polarisation polarisation) => Decibels(Clutter(polarisation));
@@ -32,16 +29,14 @@ namespace Glint.Core
         {
             double clutter = Clutter(polarisation);
             return clutter > 0
-                ? Decibels(Power(polarisation.Of(_all) - polarisation.Of(_sea)) / clutter)
+                ? Decibels(PowerLevel.Of(polarisation.Of(_all) - polarisation.Of(_sea)) / clutter)
                 : null;
         }
 
         // Mirror paths of the sea, and its diffuse echo.
         double Clutter(Polarisation polarisation) =>
-            Power(polarisation.Of(_sea) - polarisation.Of(_clutter.S)) + _clutter.SigmaOf(polarisation);
+            PowerLevel.Of(polarisation.Of(_sea) - polarisation.Of(_clutter.S)) + _clutter.SigmaOf(polarisation);
 
-        static double Power(Complex s) => s.Real * s.Real + s.Imaginary * s.Imaginary;
-
-        static double? Decibels(double power) => power > 0 ? 10 * Math.Log10(power) : (double?)null;
+        static double? Decibels(double power) => power > 0 ? PowerLevel.ToDecibels(power) : (double?)null;
     }
 }

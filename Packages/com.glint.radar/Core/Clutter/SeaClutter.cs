@@ -98,7 +98,7 @@ namespace Glint.Core
 
         /// <summary>Level, wind, water, whitecaps and seed in one line.</summary>
         public override string ToString() => FormattableString.Invariant(
-            $"{Settings.Level.ToString().ToLowerInvariant()}, wind {ShortWaves.Wind:0.###} m/s, {Water}, whitecaps {Settings.WhitecapCoefficient:g3}, seed {Settings.Seed}");
+            $"{ClutterModel.NameOf(Settings.Level)}, wind {ShortWaves.Wind:0.###} m/s, {Water}, whitecaps {Settings.WhitecapCoefficient:g3}, seed {Settings.Seed}");
 
         /// <summary>The echo of the same sea at another time. Both share their tables.</summary>
         public SeaClutter At(double time) => new SeaClutter(LongWaves, time, Wind, Settings, this);

@@ -75,10 +75,7 @@ namespace Glint.Core
         public void Validate(string subject = "sea")
         {
             foreach (var measure in Measures)
-                if (!measure.Range.Contains(measure.Of(this)))
-                    throw new GlintException($"{subject}: {measure.Title.ToLowerInvariant()} "
-                        + $"{RadarSettings.Text(measure.Of(this))}{(measure.Unit == "" ? "" : " " + measure.Unit)} "
-                        + $"must be {measure.Range}: {measure.Help}");
+                Require.Within(subject, measure, this);
         }
 
         static Measure Of(string field, Func<SeaClutterSettings, double> value, string title, string unit,

@@ -11,9 +11,11 @@ namespace Glint.Core
     /// </summary>
     public static class PowerLevel
     {
+        /// <summary>Square of the magnitude.</summary>
+        public static double Of(Complex value) => value.Real * value.Real + value.Imaginary * value.Imaginary;
+
         /// <summary>Squares of the magnitudes.</summary>
-        public static double[] Of(IEnumerable<Complex> values) =>
-            values.Select(value => value.Real * value.Real + value.Imaginary * value.Imaginary).ToArray();
+        public static double[] Of(IEnumerable<Complex> values) => values.Select(value => Of(value)).ToArray();
 
         /// <summary>10 log10 of the powers; minus infinity for 0.</summary>
         public static double[] Decibels(IEnumerable<Complex> values) => Of(values).Select(ToDecibels).ToArray();

@@ -14,7 +14,7 @@ namespace Glint.Core
         /// <summary>Every column, in the order of the file.</summary>
         public static IReadOnlyList<ResultColumn> All { get; } = ResultColumn.Number(new[]
             {
-                MayBeMissing(Of("snapshot", "Snapshot", "1", row => row.Snapshot)),
+                ResultColumn.MissingAllowed(Of("snapshot", "Snapshot", "1", row => row.Snapshot)),
                 Of("time_s", "Time", "s", row => row.TimeSeconds),
                 Of("frequency_hz", "Frequency", "Hz", row => row.Conditions.Frequency),
                 Of("azimuth_deg", "Azimuth", "deg", row => row.AzimuthDegrees),
@@ -28,25 +28,19 @@ namespace Glint.Core
                 OfTexture("measured_shape_hh", "Measured shape, HH", row => row.MeasuredShapeHH)
             }.Concat(Models.SelectMany((model, i) => new[]
             {
-                MayBeMissing(Of($"{model.Name}_vv_db", $"{model.Title}, VV", "dB", row => row.Models[i].VV)),
-                MayBeMissing(Of($"{model.Name}_hh_db", $"{model.Title}, HH", "dB", row => row.Models[i].HH))
+                ResultColumn.MissingAllowed(Of($"{model.Name}_vv_db", $"{model.Title}, VV", "dB", row => row.Models[i].VV)),
+                ResultColumn.MissingAllowed(Of($"{model.Name}_hh_db", $"{model.Title}, HH", "dB", row => row.Models[i].HH))
             })).ToArray());
 
         // Without decibels where nothing is lit.
-        static ResultColumn Level(string polarisation, Func<ClutterRow, double> value) => MayBeMissing(Of(
+        static ResultColumn Level(string polarisation, Func<ClutterRow, double> value) => ResultColumn.MissingAllowed(Of(
             $"sigma0_{polarisation}_db", $"Sigma0, {polarisation.ToUpperInvariant()}", "dB",
             row => value(row) > 0 ? Sigma0.Decibels(value(row)) : (double?)null));
 
         static ResultColumn OfTexture(string name, string title, Func<ClutterRow, double?> value) =>
-            MayBeMissing(Of(name, title, "1", value));
+            ResultColumn.MissingAllowed(Of(name, title, "1", value));
 
         static ResultColumn Of(string name, string title, string unit, Func<ClutterRow, double?> value) =>
             ResultColumn.Of(name, title, unit, value);
-
-        static ResultColumn MayBeMissing(ResultColumn column)
-        {
-            column.MayBeMissing = true;
-            return column;
-        }
     }
 }

@@ -21,11 +21,11 @@ namespace Glint.Core
             Of("frequency_hz", "Frequency", "Hz", row => row.Planned.Frequency);
 
         /// <summary>Direction of the receiver; none where the radar receives.</summary>
-        public static readonly ResultColumn ReceiverAzimuth = MayBeMissing(
+        public static readonly ResultColumn ReceiverAzimuth = ResultColumn.MissingAllowed(
             Of("receiver_azimuth_deg", "Azimuth of the receiver", "deg", row => row.Planned.ReceiverAzimuthDegrees));
 
         /// <inheritdoc cref="ReceiverAzimuth"/>
-        public static readonly ResultColumn ReceiverElevation = MayBeMissing(Of("receiver_elevation_deg",
+        public static readonly ResultColumn ReceiverElevation = ResultColumn.MissingAllowed(Of("receiver_elevation_deg",
             "Elevation of the receiver", "deg", row => row.Planned.ReceiverElevationDegrees));
 
         /// <summary>Standard error of the integration in decibels of VV or HH, whichever has the larger one.</summary>
@@ -72,14 +72,14 @@ namespace Glint.Core
                 : (Complex?)null;
         }
 
-        static ResultColumn Level(Polarisation polarisation) => MayBeMissing(Of($"{polarisation.Name}_dbsm",
+        static ResultColumn Level(Polarisation polarisation) => ResultColumn.MissingAllowed(Of($"{polarisation.Name}_dbsm",
             $"Cross section, {polarisation.Name.ToUpperInvariant()}", "dBsm",
             row => row.Amplitude(polarisation) is Complex amplitude && amplitude != Complex.Zero
                 ? ScatteringMatrix.Dbsm(amplitude)
                 : (double?)null));
 
         static ResultColumn Of(Polarisation polarisation, string part, string partTitle, Func<Complex, double> value) =>
-            MayBeMissing(Of($"{polarisation.Name}_{part}_m",
+            ResultColumn.MissingAllowed(Of($"{polarisation.Name}_{part}_m",
                 $"S {polarisation.Name.ToUpperInvariant()}, {partTitle}", "m",
                 row => row.Amplitude(polarisation) is Complex amplitude ? value(amplitude) : (double?)null));
 
@@ -96,13 +96,7 @@ namespace Glint.Core
         static ResultColumn Optional(ResultColumn column)
         {
             column.IsOptional = true;
-            return MayBeMissing(column);
-        }
-
-        static ResultColumn MayBeMissing(ResultColumn column)
-        {
-            column.MayBeMissing = true;
-            return column;
+            return ResultColumn.MissingAllowed(column);
         }
     }
 }

@@ -115,6 +115,13 @@ namespace Glint.Core
         /// <summary>Whether a row, or a whole file, may lack the value.</summary>
         public bool MayBeMissing { get; internal set; }
 
+        /// <summary>The column, with rows that may have no value.</summary>
+        internal static ResultColumn MissingAllowed(ResultColumn column)
+        {
+            column.MayBeMissing = true;
+            return column;
+        }
+
         /// <summary>Whether files whose rows have no such value are without the column.</summary>
         public bool IsOptional { get; internal set; }
 

@@ -56,17 +56,15 @@ namespace Glint.Core
         {
             EndRow(-1);
             for (int i = 0; i < _west.Length; i++)
-                _squares += Square(_west[i]) + Square(_east[i]);
+                _squares += PowerLevel.Of(_west[i]) + PowerLevel.Of(_east[i]);
             return Math.Sqrt(_squares);
         }
 
         void EndRow(long next)
         {
-            _squares += Square(_south) + Square(_north);
+            _squares += PowerLevel.Of(_south) + PowerLevel.Of(_north);
             _south = _north = 0;
             _row = next;
         }
-
-        static double Square(Complex sum) => sum.Real * sum.Real + sum.Imaginary * sum.Imaginary;
     }
 }

@@ -27,7 +27,7 @@ namespace Glint.Core
             for (int cell = 0; cell < _cells.Length; cell++)
                 _cells[cell] = (byte)Math.Round(255 * video[first + cell].x);
             double degrees = 360.0 / _geometry.Radar.Spokes,
-                middle = (spoke & (_geometry.Radar.Spokes - 1)) * degrees;
+                middle = _geometry.InTurn(spoke) * degrees;
             return _encoder.Encode(middle - degrees / 2, middle + degrees / 2, 0, _cells, secondsOfDay);
         }
     }

@@ -48,6 +48,9 @@ namespace Glint.Core
             Pulse = Enumerable.Range(0, radar.Cells).Select(cell => 1 - cell * CellSize / PulseLength)
                 .TakeWhile((weight, cell) => cell == 0 || weight > 0).Select(weight => (float)weight).ToArray();
             NoiseGain = 1 / (1 + 2 * Pulse.Skip(1).Sum(weight => (double)weight * weight));
+            FillFactor = Math.Sqrt(2.0 / 3 * PulseLength / CellSize * NoiseGain);
+            AmplitudeAtOne = Amplitude(1, 1, 0);
+            RainAmplitude = RainOf(radar);
         }
 
         /// <summary>The settings.</summary>
@@ -87,34 +90,25 @@ namespace Glint.Core
         /// Factor of the amplitude of echoes that fill their cells, as of sea and rain: the square of the pulse's
         /// triangle has 2/3 of its half base, and the sum over its weights differs from that where cells are long.
         /// </summary>
-        public double FillFactor => Math.Sqrt(2.0 / 3 * PulseLength / CellSize * NoiseGain);
+        public double FillFactor { get; }
 
         /// <summary>Amplitude in units of an echo of one square metre at one metre, in the middle of the beam.</summary>
-        public double AmplitudeAtOne => Amplitude(1, 1, 0);
+        public double AmplitudeAtOne { get; }
 
         /// <summary>
         /// Root of the power of the rain's echo in a spoke, in units, times the range in cells. The drops are those of
         /// Marshall and Palmer, Z = 200 r^1.6 mm6/m3 at r mm/h, and scatter as Rayleigh's spheres.
         /// </summary>
-        public double RainAmplitude
-        {
-            get
-            {
-                // Section of a cubic metre, m2.
-                double wave = Signal.Wavelength(Radar.Frequency), z = 200 * Math.Pow(Radar.RainRate, 1.6) * 1e-18,
-                    density = Math.Pow(Math.PI, 5) * WaterFactor * z / Math.Pow(wave, 4);
-                // Of a spoke, with the power of the beam's height above the sea, out and back.
-                double angle = 2 * Math.PI / Radar.Spokes * Radar.VerticalBeamWidth * Math.PI / 180
-                        * Math.Sqrt(Math.PI / (8 * Math.Log(2))) / 2;
-                // The volume is angle R^2 CellSize, and the amplitude falls with 1 / R^2.
-                return FillFactor * AmplitudeAtOne * Math.Sqrt(density * angle * CellSize) / CellSize;
-            }
-        }
+        public double RainAmplitude { get; }
 
         /// <summary>The spoke of a bearing.</summary>
         /// <param name="turns">From north, any number of turns.</param>
-        public int SpokeOf(double turns) => (int)Math.Floor((turns - Math.Floor(turns)) * Radar.Spokes + 0.5)
-            & (Radar.Spokes - 1);
+        public int SpokeOf(double turns) =>
+            InTurn((long)Math.Floor((turns - Math.Floor(turns)) * Radar.Spokes + 0.5));
+
+        /// <summary>Place of a spoke in its turn.</summary>
+        /// <param name="spoke">Counted from north in the first turn.</param>
+        public int InTurn(long spoke) => (int)(spoke & (Radar.Spokes - 1));
 
         /// <summary>
         /// An echo as the sums take it. <see cref="ScreenPoint.Amplitude"/> is 0 behind the horizon and outside the
@@ -141,6 +135,18 @@ namespace Glint.Core
             point.Amplitude = (float)amplitude;
             point.Field = (float2)new double2(amplitude * Math.Cos(phase), amplitude * Math.Sin(phase));
             return point;
+        }
+
+        double RainOf(in ScreenRadar radar)
+        {
+            // Section of a cubic metre, m2.
+            double wave = Signal.Wavelength(radar.Frequency), z = 200 * Math.Pow(radar.RainRate, 1.6) * 1e-18,
+                density = Math.Pow(Math.PI, 5) * WaterFactor * z / Math.Pow(wave, 4);
+            // Of a spoke, with the power of the beam's height above the sea, out and back.
+            double angle = 2 * Math.PI / radar.Spokes * radar.VerticalBeamWidth * Math.PI / 180
+                * Math.Sqrt(Math.PI / (8 * Math.Log(2))) / 2;
+            // The volume is angle R^2 CellSize, and the amplitude falls with 1 / R^2.
+            return FillFactor * AmplitudeAtOne * Math.Sqrt(density * angle * CellSize) / CellSize;
         }
 
         // In units.

@@ -86,7 +86,7 @@ namespace Glint.Core
 
         double2 Largest(int spoke, int first, int last)
         {
-            int at = spoke & (_geometry.Radar.Spokes - 1), age = (_view.Front - at) & (_geometry.Radar.Spokes - 1);
+            int at = _geometry.InTurn(spoke), age = _geometry.InTurn(_view.Front - at);
             float2 largest = 0;
             for (int cell = first; cell <= last; cell++)
                 largest = math.max(largest, _video[at * _geometry.Radar.Cells + cell]);

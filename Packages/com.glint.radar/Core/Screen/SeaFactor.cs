@@ -23,7 +23,7 @@ namespace Glint.Core
                 return 1;
             var factor = 1 - Complex.FromPolarCoordinates(reflection,
                 waveNumber * Detour(antenna, reflector, distance));
-            return factor.Real * factor.Real + factor.Imaginary * factor.Imaginary;
+            return PowerLevel.Of(factor);
         }
 
         /// <summary>Metres by which the reflected way is longer than the direct one; 0 at the horizon.</summary>

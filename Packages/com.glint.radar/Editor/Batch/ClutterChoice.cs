@@ -17,7 +17,7 @@ namespace Glint.Editor
 
         /// <summary>Every value.</summary>
         public static IReadOnlyList<string> Names { get; } = Enum.GetValues(typeof(ClutterLevel)).Cast<ClutterLevel>()
-            .Select(PublishedClutter.NameOf).Prepend(On).Append(Off).ToArray();
+            .Select(ClutterModel.NameOf).Prepend(On).Append(Off).ToArray();
 
         /// <summary>Reads a value.</summary>
         /// <exception cref="FormatException">There is no such value.</exception>
@@ -26,7 +26,7 @@ namespace Glint.Editor
             if (text == On || text == Off)
                 return new ClutterChoice(text == On, null);
             foreach (ClutterLevel level in Enum.GetValues(typeof(ClutterLevel)))
-                if (PublishedClutter.NameOf(level) == text)
+                if (ClutterModel.NameOf(level) == text)
                     return new ClutterChoice(true, level);
             throw new FormatException("must be one of " + string.Join(", ", Names));
         }

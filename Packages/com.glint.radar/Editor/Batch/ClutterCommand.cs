@@ -35,7 +35,7 @@ namespace Glint.Editor
             var first = setup.First.Clutter;
             progress.Print(FormattableString.Invariant(
                 $"sea state {first.SeaState:0.0}, clutter wind {first.ShortWaves.Wind:0.0} m/s, level ")
-                + PublishedClutter.NameOf(first.Settings.Level));
+                + ClutterModel.NameOf(first.Settings.Level));
             var levels = setup.Model == null ? null : new ClutterLevels(tracer, setup.Model);
             var models = PublishedClutter.Models;
             int done = 0;

@@ -82,7 +82,7 @@ namespace Glint.Editor
             (info.StartedUtc, info.ElapsedMs) = (startedUtc, (DateTime.UtcNow - startedUtc).TotalMilliseconds);
             void Add(string name, double value, string unit) => info.Settings.Add(new RunSetting(name, value, unit));
             info.Settings.Add(new RunSetting("conventions", Conventions));
-            info.Settings.Add(new RunSetting("level", PublishedClutter.NameOf(_sea.Clutter.Level)));
+            info.Settings.Add(new RunSetting("level", ClutterModel.NameOf(_sea.Clutter.Level)));
             info.Settings.Add(new RunSetting("spectrum", Waves.Kind.ToString()));
             Add("wave_height", First.Clutter.LongWaves.SignificantWaveHeight, "m");
             Add("sea_state", First.Clutter.SeaState, "1");

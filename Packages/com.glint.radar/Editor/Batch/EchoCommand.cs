@@ -31,13 +31,13 @@ namespace Glint.Editor
             Describe(settings.BandOf(plan), reach, opened.name, progress);
             if (plan.Pulses != null)
                 DescribePulses(settings.BandOf(plan), plan, opened.scene, opened.name, progress);
-            if (line.Command != Commands.Isar)
-                return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
-                    progress);
-            settings.Image = ImageOf(line, setup, opened.name, progress);
-            using (var imager = new IsarImager(ProjectAssets.ImageKernel, opened.name))
+            bool isImage = line.Command == Commands.Isar;
+            if (isImage)
+                settings.Image = ImageOf(line, setup, opened.name, progress);
+            using (var imager = isImage ? new IsarImager(ProjectAssets.ImageKernel, opened.name) : null)
             {
-                setup.Backproject = imager.Image;
+                if (isImage)
+                    setup.Backproject = imager.Image;
                 return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
                     progress);
             }

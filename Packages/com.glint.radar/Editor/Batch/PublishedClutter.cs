@@ -20,9 +20,6 @@ namespace Glint.Editor
         public static ClutterModel Of(ClutterLevel level) =>
             level == ClutterLevel.Nathanson ? Nathanson() : ClutterModel.Of(level);
 
-        /// <summary>"nrl".</summary>
-        public static string NameOf(ClutterLevel level) => level.ToString().ToLowerInvariant();
-
         static NathansonTable Nathanson()
         {
             var asset = AssetDatabase.LoadAssetAtPath<TextAsset>(Path);

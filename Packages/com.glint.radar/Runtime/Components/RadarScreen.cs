@@ -295,7 +295,7 @@ namespace Glint
             }
             if (_picture != null && _picture.width != _display.Side)
             {
-                Free(_picture);
+                MadeObject.Free(_picture);
                 _picture = null;
             }
             if (_picture == null)
@@ -329,21 +329,16 @@ namespace Glint
             var reflectors = RadarReflector.Enabled;
             if (_points.Length < reflectors.Count)
                 _points = new ScreenPoint[2 * reflectors.Count];
+            double north = NorthTurns() * 2 * Math.PI, cosine = Math.Cos(north), sine = Math.Sin(north),
+                seaLevel = _sea == null ? 0 : _sea.transform.position.y;
+            double3 FromWorld(Vector3 position) => new double3(position.x * cosine - position.z * sine,
+                position.y - seaLevel, position.x * sine + position.z * cosine);
             var antenna = FromWorld(transform.position);
             for (int i = 0; i < reflectors.Count; i++)
                 _points[i] = _tracer.Geometry.PointOf(FromWorld(reflectors[i].transform.position), antenna,
                     reflectors[i].CrossSection);
             return reflectors.Count;
         }
-
-        double3 FromWorld(Vector3 position)
-        {
-            double north = NorthTurns() * 2 * Math.PI, cosine = Math.Cos(north), sine = Math.Sin(north);
-            return new double3(position.x * cosine - position.z * sine, position.y - SeaLevel,
-                position.x * sine + position.z * cosine);
-        }
-
-        double SeaLevel => _sea == null ? 0 : _sea.transform.position.y;
 
         double Heading() => Compass.TurnsOf((_ownShip == null ? transform : _ownShip).forward) - NorthTurns();
 
@@ -379,7 +374,7 @@ namespace Glint
         void OnDestroy()
         {
             if (_picture != null)
-                Free(_picture);
+                MadeObject.Free(_picture);
         }
 
         void Release()
@@ -387,14 +382,6 @@ namespace Glint
             _waves?.Dispose();
             _tracer?.Dispose();
             (_waves, _tracer) = (null, null);
-        }
-
-        static void Free(UnityEngine.Object made)
-        {
-            if (Application.isPlaying)
-                Destroy(made);
-            else
-                DestroyImmediate(made);
         }
     }
 }

@@ -65,8 +65,7 @@ namespace Glint
             _sent = tracer.Slice.FirstFinished;
             if (_geometry != tracer.Geometry)
                 (_geometry, _encoder) = (tracer.Geometry, new ScreenAsterix(tracer.Geometry));
-            int spokes = _geometry.Radar.Spokes, first = (int)(tracer.Slice.FirstFinished & (spokes - 1)),
-                whole = Math.Min(tracer.Slice.Finished, spokes - first);
+            int whole = tracer.FinishedBeforeNorth;
             Request(tracer, tracer.Slice.FirstFinished, whole);
             if (whole < tracer.Slice.Finished)
                 Request(tracer, tracer.Slice.FirstFinished + whole, tracer.Slice.Finished - whole);
@@ -75,7 +74,7 @@ namespace Glint
         void Request(ScreenTracer tracer, long first, int count)
         {
             int bytes = tracer.Video.Stride * _geometry.Radar.Cells,
-                inTurn = (int)(first & (_geometry.Radar.Spokes - 1));
+                inTurn = _geometry.InTurn(first);
             var (encoder, geometry, seconds) = (_encoder, _geometry, DateTime.UtcNow.TimeOfDay.TotalSeconds);
             AsyncGPUReadback.Request(tracer.Video.Buffer, count * bytes, inTurn * bytes, request =>
             {

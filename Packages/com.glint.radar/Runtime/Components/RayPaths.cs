@@ -107,8 +107,8 @@ namespace Glint
             _radar.Paths = null;
             Camera.onPreCull -= Draw;
             RenderPipelineManager.beginCameraRendering -= Draw;
-            Free(_lines);
-            Free(_material);
+            MadeObject.Free(_lines);
+            MadeObject.Free(_material);
             (_lines, _material, _paths) = (null, null, Array.Empty<RayPath>());
         }
 
@@ -231,14 +231,6 @@ namespace Glint
                 _material =
                     new Material(Shader.Find("Hidden/Internal-Colored")) { hideFlags = HideFlags.HideAndDontSave };
             return _material;
-        }
-
-        static void Free(UnityEngine.Object made)
-        {
-            if (Application.isPlaying)
-                Destroy(made);
-            else
-                DestroyImmediate(made);
         }
     }
 }

@@ -381,16 +381,8 @@ namespace Glint
 
         void OnDestroy()
         {
-            Free(_made);
-            Free(_instanced);
-        }
-
-        static void Free(UnityEngine.Object made)
-        {
-            if (Application.isPlaying)
-                Destroy(made);
-            else
-                DestroyImmediate(made);
+            MadeObject.Free(_made);
+            MadeObject.Free(_instanced);
         }
     }
 

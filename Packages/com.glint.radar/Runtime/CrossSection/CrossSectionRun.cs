@@ -28,7 +28,9 @@ namespace Glint
         readonly SweepIdentity _identity;
 
         // Traces of the current direction, by their first frequency and first receiver.
-        readonly Dictionary<(int, int), CrossSectionResult> _traces = new Dictionary<(int, int), CrossSectionResult>();
+        readonly Dictionary<(int, int), (CrossSectionPose, CrossSectionResult)> _traces =
+            new Dictionary<(int, int), (CrossSectionPose, CrossSectionResult)>();
+
         int _pose = -1;
 
         /// <summary>Begins or resumes a run; nothing is traced before the first <see cref="Step"/>.</summary>
@@ -86,9 +88,12 @@ namespace Glint
             _pose = planned.Pose;
             int frequency = _firstFrequencies[planned.FrequencyIndex];
             int receiver = planned.Receiver / _receiversOfTrace * _receiversOfTrace;
-            var pose = PoseOf(planned, frequency, receiver);
-            if (!_traces.TryGetValue((frequency, receiver), out var trace))
-                _traces.Add((frequency, receiver), trace = _tracer.Trace(pose, progress, cancel));
+            if (!_traces.TryGetValue((frequency, receiver), out var traced))
+            {
+                var made = PoseOf(planned, frequency, receiver);
+                _traces.Add((frequency, receiver), traced = (made, _tracer.Trace(made, progress, cancel)));
+            }
+            var (pose, trace) = traced;
             var row = RowOf(planned, trace, planned.Receiver - receiver,
                 pose.SampleOf(planned.Pulse, planned.FrequencyIndex - frequency));
             if (_setup.HasContributions)

@@ -132,7 +132,7 @@ namespace Glint
 
         // No echo need be known better than against the clutter that it is seen in, dBsm: in VV or HH, whichever is more.
         static double FloorOf(ClutterEcho[] clutter) => clutter == null ? double.NegativeInfinity
-            : 10 * Math.Log10(clutter.Min(echo => Math.Max(echo.SigmaVV, echo.SigmaHH)));
+            : PowerLevel.ToDecibels(clutter.Min(echo => Math.Max(echo.SigmaVV, echo.SigmaHH)));
 
         /// <summary>Traces a pose again and sums what the parts of the scene contribute to one cross section.</summary>
         /// <param name="result">Of the pose: the same tubes are summed.</param>

@@ -44,8 +44,9 @@ namespace Glint
             _prepareCells = shader.FindKernel("PrepareCells");
             _sums = shader.FindKernel("TubeSums");
             _summing = _sums;
-            Tracing = new[] { _cells, _bisect, _borders }.Concat(_corners is int kernel ? new[] { kernel } : new int[0])
-                .ToArray();
+            Tracing = new[] { _cells, _bisect, _borders };
+            if (_corners is int traced)
+                Tracing = Tracing.Append(traced).ToArray();
         }
 
         /// <summary>The kernel TubeSums.</summary>
@@ -112,10 +113,13 @@ namespace Glint
             for (int round = 0; round < rounds; round++)
             {
                 _shader.SetInt(TubeIDs._Round, round);
-                if (_corners is int corners && round == 0)
-                    _shader.DispatchThreads(corners, (across + 1L) * (count / across + 1));
-                else if (_corners is int kernel)
-                    _shader.DispatchIndirect(kernel, _arguments, CornerArguments);
+                if (_corners is int corners)
+                {
+                    if (round == 0)
+                        _shader.DispatchThreads(corners, (across + 1L) * (count / across + 1));
+                    else
+                        _shader.DispatchIndirect(corners, _arguments, CornerArguments);
+                }
                 if (round == 0)
                     _shader.DispatchThreads(_cells, count);
                 else

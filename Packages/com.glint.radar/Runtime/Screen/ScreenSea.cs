@@ -54,9 +54,6 @@ namespace Glint
         /// <summary>The height field.</summary>
         public SeaField Field => _field;
 
-        /// <summary>What facets scatter back.</summary>
-        public SeaClutter Clutter => _clutter;
-
         /// <summary>Moves the sea to a time. It waits for nothing.</summary>
         public void Update(double timeSeconds) => _field.Update(timeSeconds);
 

@@ -119,7 +119,7 @@ namespace Glint
             if (_current.Traced == 0)
                 return;
             sea.Set(_shader, _sea, radar, northTurns);
-            sea.Set(_shader, _pointsOverSea, radar, northTurns);
+            sea.Field.SetMarch(_shader, _pointsOverSea, radar);
             _shader.SetBuffer(_sea, ScreenIDs._Echo, Echo.Buffer);
             Dispatch(_sea, Geometry.Radar.Cells * sea.FacetsOfACell, _current.Traced);
         }
@@ -169,11 +169,14 @@ namespace Glint
             Dispatch(_video, Geometry.Radar.Cells, _current.Finished);
         }
 
+        /// <summary>Of the spokes that the last frame finished, those before the turn begins again.</summary>
+        public int FinishedBeforeNorth => Math.Min(_current.Finished,
+            Geometry.Radar.Spokes - Geometry.InTurn(_current.FirstFinished));
+
         /// <summary>Reads video and trails of the spokes that the last frame finished. It waits for the device.</summary>
         public float2[] ReadFrame()
         {
-            int spokes = Geometry.Radar.Spokes, cells = Geometry.Radar.Cells,
-                first = (int)(_current.FirstFinished & (spokes - 1)), whole = Math.Min(_current.Finished, spokes - first);
+            int cells = Geometry.Radar.Cells, first = Geometry.InTurn(_current.FirstFinished), whole = FinishedBeforeNorth;
             var video = new float2[_current.Finished * cells];
             if (whole > 0)
                 Video.Buffer.GetData(video, 0, first * cells, whole * cells);
@@ -223,8 +226,8 @@ namespace Glint
 
         void SetSlice(ComputeShader shader, long first, int count)
         {
-            int spokes = Geometry.Radar.Spokes, inTurn = (int)(first & (spokes - 1));
-            (_slice[0], _slice[1], _slice[2]) = (inTurn, count, (int)((first - inTurn) / spokes));
+            int inTurn = Geometry.InTurn(first);
+            (_slice[0], _slice[1], _slice[2]) = (inTurn, count, (int)((first - inTurn) / Geometry.Radar.Spokes));
             shader.SetInts(ScreenIDs._ScreenSlice, _slice);
         }
 

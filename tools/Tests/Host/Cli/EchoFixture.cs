@@ -56,6 +56,15 @@ public abstract class EchoFixture
         return output;
     }
 
+    /// <summary>The options are refused for the plate, and no folder is made.</summary>
+    protected void AssertRefused(int code, string message, string[] options)
+    {
+        var (actual, _, error) = Execute([At("plate.obj"), .. options, "--out", At("echo")]);
+        Assert.That(error, Does.Contain(message));
+        Assert.That(actual, Is.EqualTo(code));
+        Assert.That(Directory.Exists(At("echo")), Is.False);
+    }
+
     protected static (int code, string output, string error) Execute(params string[] arguments) =>
         TestShell.Run(["echo", .. arguments]);
 }
