@@ -161,7 +161,7 @@ namespace Glint.Editor
                 placement.ReceiverSize = line.Get(Options.Receiver);
             var scene =
                 MeshFileScene.Create(file, placement, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
-            scene.Radar.TubeKernel = ProjectAssets.TubeKernel;
+            (scene.Radar.TubeKernel, scene.Radar.ClutterKernel) = (ProjectAssets.TubeKernel, ProjectAssets.TubesKernel);
             return new LoadedScene
             {
                 Name = file.Name, Scene = line.Input, Radar = scene.Radar, Target = scene.Target, Orbit = scene.Orbit
