@@ -134,10 +134,12 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     AddSea(copy, SEA_LIT_AREA, section.y, SEA_AREA_UNITS);
     float3 sigma = BraggSigma(normal, radar.Direction, radar.V);
     sigma.xz += SpecularSigma(normal, radar.Direction);
+    // Of the grazing angle on the mean sea, which is tilted far from the radar.
+    float sine = dot(radar.Direction, float3(tile.SectionX.y, tile.SectionY.y, tile.SectionZ.y));
     if (facet.IsBreaking != 0)
-        sigma.xz = BreakingSigma(saturate(radar.Direction.y));
+        sigma.xz = BreakingSigma(saturate(sine));
     if (_SeaLevelCount > 0)
-        sigma *= LevelAt(radar.Direction.y);
+        sigma *= LevelAt(sine);
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;
     float nearer = radar.Phase;
     if (_SeaElapsed != 0.0)
