@@ -107,7 +107,6 @@ namespace Glint.Editor
             // A scene that was stored before there were tubes has no kernels of them.
             if (radar.TubeKernel == null)
                 radar.TubeKernel = ProjectAssets.TubeKernel;
-            radar.ClutterModelOf = PublishedClutter.Of;
             if (radar.ClutterKernel == null)
                 radar.ClutterKernel = ProjectAssets.TubesKernel;
             if (line.IsGiven(Options.Receiver))
