@@ -107,7 +107,6 @@ namespace Glint.Editor
             // A scene that was stored before there were tubes has no kernels of them.
             if (radar.TubeKernel == null)
                 radar.TubeKernel = ProjectAssets.TubeKernel;
-            radar.ClutterModelOf = PublishedClutter.Of;
             if (radar.ClutterKernel == null)
                 radar.ClutterKernel = ProjectAssets.TubesKernel;
             if (line.IsGiven(Options.Receiver))
@@ -161,7 +160,7 @@ namespace Glint.Editor
                 placement.ReceiverSize = line.Get(Options.Receiver);
             var scene =
                 MeshFileScene.Create(file, placement, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
-            scene.Radar.TubeKernel = ProjectAssets.TubeKernel;
+            (scene.Radar.TubeKernel, scene.Radar.ClutterKernel) = (ProjectAssets.TubeKernel, ProjectAssets.TubesKernel);
             return new LoadedScene
             {
                 Name = file.Name, Scene = line.Input, Radar = scene.Radar, Target = scene.Target, Orbit = scene.Orbit

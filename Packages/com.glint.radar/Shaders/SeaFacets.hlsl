@@ -47,13 +47,13 @@ float4 _FootprintForward;                  // w: 1: parallel rays
 float4 _SeaCellX, _SeaCellY;               // place in cells: dot(xyz, position) + w
 uint4 _SeaCells;                           // cells by x and y; copies
 
-// Words of a copy, 64 bits each.
+// Sums, of 64 bits each. Those of all cells and copies lie side by side: neighbouring threads, which add to neighbouring
+// copies, then share lines of memory.
 static const uint SEA_FIELD = 0;           // S of VV, HV and HH: real and imaginary part
-static const uint SEA_POWER = 12;          // without speckle: VV, HV, HH
-static const uint SEA_AREA = 18;           // of the mean sea below the facets,
-static const uint SEA_LIT_AREA = 20;       // and below those that the radar sees
-static const uint SEA_OVERFLOW = 22;       // 1: an echo was too large for a sum
-static const uint SEA_WORDS = 24;
+static const uint SEA_POWER = 6;           // without speckle: VV, HV, HH
+static const uint SEA_AREA = 9;            // of the mean sea below the facets,
+static const uint SEA_LIT_AREA = 10;       // and below those that the radar sees
+static const uint SEA_OVERFLOW = 11;       // 1: an echo was too large for a sum
 static const float SEA_FIELD_UNITS = 16777216.0;       // a metre
 static const float SEA_POWER_UNITS = 1099511627776.0;  // a square metre
 static const float SEA_AREA_UNITS = 1048576.0;         // a square metre
@@ -95,13 +95,18 @@ bool IsLit(float3 position, float3 normal, Receiver radar)
     return dot(normal, radar.Direction) > 0.0 && !AnyHit(ray, radar.Distance, isAmbiguous);
 }
 
-void AddSea(uint first, uint word, float value, float unitsPerValue)
+uint WordOf(uint sum, uint copy)
+{
+    return 2 * (sum * _SeaCells.x * _SeaCells.y * _SeaCells.z + copy);
+}
+
+void AddSea(uint copy, uint sum, float value, float unitsPerValue)
 {
     float units = round(value * unitsPerValue);
     if (IsNaN(units) || abs(units) > SEA_MAX_UNITS)
-        InterlockedOr(_Sums[first + SEA_OVERFLOW], 1);
+        InterlockedOr(_Sums[WordOf(SEA_OVERFLOW, copy)], 1);
     else
-        AddUnits(first + word, 2, units);
+        AddUnits(WordOf(sum, copy), 2, units);
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -120,19 +125,21 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     float area = length(section);
     if (area == 0.0 || any(cell < 0) || any(cell >= (int2)_SeaCells.xy) || !IsInFootprint(position))
         return;
-    uint first = SEA_WORDS * ((cell.x + cell.y * _SeaCells.x) * _SeaCells.z + number % _SeaCells.z);
+    uint copy = (cell.x + cell.y * _SeaCells.x) * _SeaCells.z + number % _SeaCells.z;
     float3 normal = section / area;
     Receiver radar = ReceiverFrom(RADAR, position);
-    AddSea(first, SEA_AREA, section.y, SEA_AREA_UNITS);
+    AddSea(copy, SEA_AREA, section.y, SEA_AREA_UNITS);
     if (!IsLit(position, normal, radar))
         return;
-    AddSea(first, SEA_LIT_AREA, section.y, SEA_AREA_UNITS);
+    AddSea(copy, SEA_LIT_AREA, section.y, SEA_AREA_UNITS);
     float3 sigma = BraggSigma(normal, radar.Direction, radar.V);
     sigma.xz += SpecularSigma(normal, radar.Direction);
+    // Of the grazing angle on the mean sea, which is tilted far from the radar.
+    float sine = dot(radar.Direction, float3(tile.SectionX.y, tile.SectionY.y, tile.SectionZ.y));
     if (facet.IsBreaking != 0)
-        sigma.xz = BreakingSigma(saturate(radar.Direction.y));
+        sigma.xz = BreakingSigma(saturate(sine));
     if (_SeaLevelCount > 0)
-        sigma *= LevelAt(radar.Direction.y);
+        sigma *= LevelAt(sine);
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;
     float nearer = radar.Phase;
     if (_SeaElapsed != 0.0)
@@ -145,9 +152,9 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     [unroll]
     for (uint i = 0; i < 3; i++)
     {
-        AddSea(first, SEA_POWER + 2 * i, power[i], SEA_POWER_UNITS);
-        AddSea(first, SEA_FIELD + 4 * i, sqrt(power[i]) * field.x, SEA_FIELD_UNITS);
-        AddSea(first, SEA_FIELD + 4 * i + 2, sqrt(power[i]) * field.y, SEA_FIELD_UNITS);
+        AddSea(copy, SEA_POWER + i, power[i], SEA_POWER_UNITS);
+        AddSea(copy, SEA_FIELD + 2 * i, sqrt(power[i]) * field.x, SEA_FIELD_UNITS);
+        AddSea(copy, SEA_FIELD + 2 * i + 1, sqrt(power[i]) * field.y, SEA_FIELD_UNITS);
     }
 }
 

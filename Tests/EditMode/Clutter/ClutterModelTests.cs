@@ -141,7 +141,7 @@ namespace Glint.Tests
         }
 
         static double Decibels(string name, string polarisation, double gigahertz, double grazing, double state,
-            double windAngle = 0) => ClutterModel.Formulas.Single(model => model.Name == name).Decibels(
+            double windAngle = 0) => ClutterModel.All.Single(model => model.Name == name).Decibels(
                 Polarisation.All.Single(it => it.Name == polarisation),
                 new ClutterConditions(gigahertz * 1e9, grazing, state, windAngle));
     }

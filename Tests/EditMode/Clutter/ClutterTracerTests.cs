@@ -68,6 +68,24 @@ namespace Glint.Tests
                     $"grazing {grazing}");
         }
 
+        // Two tiles of 32 bytes a facet are uploaded once; later sums are two dispatches and one round trip.
+        [Test]
+        public void Trace_OfTheSameSeaAgain_UploadsNoFacetsAndWaitsOnce()
+        {
+            var sea = new TestSea(10, 32, 32, 0, tiles: 2);
+            using var tracer = Make();
+            tracer.Trace(sea.Pose(25, 12), TenGigahertz);
+            var first = tracer.Statistics;
+            long uploaded = first.BytesUploaded, readBack = first.BytesReadBack;
+            (int dispatches, int trips) = (first.Dispatches, first.RoundTrips);
+            Assert.That(uploaded, Is.GreaterThan(32 * sea.Mesh.TriangleCount));
+            tracer.Trace(sea.Pose(40, 5), TenGigahertz);
+            Assert.That(tracer.Statistics.Dispatches - dispatches, Is.EqualTo(2));
+            Assert.That(tracer.Statistics.RoundTrips - trips, Is.EqualTo(1));
+            Assert.That(tracer.Statistics.BytesReadBack, Is.EqualTo(2 * readBack));
+            Assert.That(tracer.Statistics.BytesUploaded - uploaded, Is.LessThan(1000));
+        }
+
         [Test]
         public void Trace_TilesInAnotherOrder_ChangeNoBit()
         {

@@ -106,11 +106,12 @@ namespace Glint.Tests
         [TestCase("nrl", 4, 0.3)]
         [TestCase("nrl", 47, 0.3)]
         [TestCase("git", 2, 0.01)]
+        [TestCase("nathanson", 3, 0.01)]
         public void Level_BringsTheMeanToTheModel(string name, double grazing, double decibels)
         {
             var pose = new TestSea(10, 64, 64, 0).Pose(130, 20);
             var sea = new EndlessSea(pose.Scene, pose.Scene.Seas[0]);
-            var model = ClutterModel.Formulas.Single(it => it.Name == name);
+            var model = ClutterModel.All.Single(it => it.Name == name);
             var levels = new ClutterLevels(Tracer, model);
             var table = levels.TableOf(sea, 9.4e9, 130);
             Assert.That(levels.TableOf(sea, 9.4e9, 130), Is.SameAs(table));
@@ -130,7 +131,7 @@ namespace Glint.Tests
         {
             var pose = new TestSea(18, 64, 32, 0).Pose(0, 20);
             var sea = new EndlessSea(pose.Scene, pose.Scene.Seas[0]);
-            Assert.That(() => new ClutterLevels(Tracer, ClutterModel.Formulas[0]).TableOf(sea, 9.4e9, 0),
+            Assert.That(() => new ClutterLevels(Tracer, ClutterModel.All[0]).TableOf(sea, 9.4e9, 0),
                 Throws.TypeOf<GlintException>().With.Message.Matches(@"^clutter model nrl: the sea state 8\.\d+ must be "
                     + "from 0 to 6, where Gregers-Hansen and Mital 2012 holds: choose another model, or physics$"));
         }

@@ -53,7 +53,7 @@ namespace Glint.Tests
         [Test]
         public void Cmod5N_LiesAboveNrl()
         {
-            var nrl = ClutterModel.Formulas.Single(model => model.Name == "nrl");
+            var nrl = ClutterModel.All.Single(model => model.Name == "nrl");
             var differences = new double[] { 35, 45, 60 }.SelectMany(grazing => Enumerable.Range(2, 5).Select(state =>
             {
                 double wind = SeaStateFits.Wind(SeaStateFits.WaveHeight(state));

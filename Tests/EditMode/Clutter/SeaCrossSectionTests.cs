@@ -113,15 +113,19 @@ namespace Glint.Tests
             return sum;
         }
 
+        // A tile without neighbours, which would shade 5 % of it.
         [Test]
-        public void Trace_AtTheLevelOfATable_IsRefusedInPlayMode()
+        public void Trace_AtTheLevelOfATable_HasItsMean()
         {
-            var sea = new TestSea(8, 16, 16, 0);
+            var sea = new TestSea(8, 64, 64, 0);
             var settings = SeaClutterSettings.On;
             settings.Level = ClutterLevel.Nathanson;
             var clutter = new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings);
-            Assert.That(() => Tracer.Trace(sea.Pose(30, 10, clutter)),
-                Throws.TypeOf<GlintException>().With.Message.Contains("nathanson"));
+            var found = Tracer.Trace(sea.Pose(30, 10, clutter)).Clutter[0].Sigma0;
+            var at = clutter.ConditionsAt(10e9, 30, 10);
+            var table = ClutterModel.Of(ClutterLevel.Nathanson);
+            Assert.That(Sigma0.Decibels(found.VV), Is.EqualTo(table.Decibels(Polarisation.VV, at)).Within(0.5));
+            Assert.That(Sigma0.Decibels(found.HH), Is.EqualTo(table.Decibels(Polarisation.HH, at)).Within(0.5));
         }
 
         [Test]

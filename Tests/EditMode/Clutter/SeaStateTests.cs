@@ -72,7 +72,7 @@ namespace Glint.Tests
 
         static double Difference(in Sigma0 against, in Sigma0 across, double state, double grazing, bool isHorizontal)
         {
-            var nrl = ClutterModel.Formulas.Single(model => model.Name == "nrl");
+            var nrl = ClutterModel.All.Single(model => model.Name == "nrl");
             var polarisation = Polarisation.Read(isHorizontal ? "hh" : "vv").Single();
             double Decibels(in Sigma0 it) => Sigma0.Decibels(isHorizontal ? it.HH : it.VV);
             return (2 * Decibels(against) + Decibels(across)) / 3

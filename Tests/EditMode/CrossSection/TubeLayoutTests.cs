@@ -105,7 +105,7 @@ namespace Glint.Tests
             {
                 ["SEA_FIELD"] = ClutterSums.Field, ["SEA_POWER"] = ClutterSums.Power, ["SEA_AREA"] = ClutterSums.Area,
                 ["SEA_LIT_AREA"] = ClutterSums.LitArea, ["SEA_OVERFLOW"] = ClutterSums.Overflow,
-                ["SEA_WORDS"] = ClutterSums.CopyWords, ["SEA_FIELD_UNITS"] = ClutterSums.FieldUnits,
+                ["SEA_FIELD_UNITS"] = ClutterSums.FieldUnits,
                 ["SEA_POWER_UNITS"] = ClutterSums.PowerUnits, ["SEA_AREA_UNITS"] = ClutterSums.AreaUnits,
                 ["SEA_MAX_UNITS"] = 4e18,
                 ["GRAVITY"] = SeaSpectrum.Gravity, ["TENSION"] = ClutterMotion.Tension

@@ -260,6 +260,25 @@ namespace Glint.Tests
             Assert.That(MaterialAssignment.Apply(scene, new MaterialAssignment[0]).Seas, Is.SameAs(scene.Seas));
         }
 
+        // Waves of 4 m have 16 times the energy of those of 1 m, 12 dB; 5 m/s do not raise them.
+        [Test]
+        public void Clutter_OfAWindThatDoesNotFit_IsWarnedOfInEachGather()
+        {
+            TurnClutterOn(32, 32);
+            _scene.Gather(_gatherer);
+            Assert.That(_gatherer.Warnings, Is.Empty);
+            var settings = SeaClutterSettings.On;
+            settings.Wind = 5;
+            _sea.Clutter = settings;
+            var waves = Settings(1);
+            waves.SignificantWaveHeight = 4;
+            _sea.Waves = waves;
+            _sea.Rebuild();
+            _scene.Gather(_gatherer);
+            Assert.That(_gatherer.Warnings.Single(),
+                Does.StartWith("Sea of 'Sea': where its mesh ends").And.Contain("a clutter wind of 5 m/s").And.Contain("below"));
+        }
+
         // The facets of the tile's mesh are those that break.
         [Test]
         public void Clutter_On_HasTheTrianglesOfTheTileInTheirOrder()

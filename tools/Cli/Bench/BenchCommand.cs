@@ -29,6 +29,7 @@ sealed class BenchCommand(Terminal terminal)
             if (plot != null)
                 return Accuracy(line, loaded.Radar, json, plot, progress);
             var result = Measure(line, loaded, sceneFile, progress);
+            result.Clutter?.Dispose();
             json?.Write(stream => BenchJson.Write(stream, result));
             var written = new[] { sceneFile, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
             return [.. new BenchTables(terminal).Lines(result), .. written];
@@ -65,7 +66,12 @@ sealed class BenchCommand(Terminal terminal)
             Peers = peers,
         };
         if (!isSweep)
+        {
             Step("first poses", progress, () => result.Poses.RunFirst(progress, progress.Cancel));
+            Step("sea", progress, () => result.Clutter = line.IsGiven(Options.TimedFacets)
+                ? ClutterBench.OfFacets(loaded.Radar, device.Clock, line.Get(Options.TimedFacets))
+                : ClutterBench.OfScene(loaded.Radar, device.Clock));
+        }
 
         var pose = loaded.Radar.Gather();
         var scene = pose.Scene;
@@ -107,6 +113,7 @@ sealed class BenchCommand(Terminal terminal)
                     result.Poses.RunRound(round > 0, part, progress.Cancel);
                 else
                     result.Sweep.RunRound(round > 0, part, progress.Cancel);
+                result.Clutter?.RunRound(round > 0, progress.Cancel);
                 for (int i = 0; i < result.Peers.Count; i++)
                 {
                     result.Peers[i].Run(scene, round > 0, progress.Cancel);

@@ -105,6 +105,8 @@ static class BenchJson
             ["bytes_on_device"] = work.BytesOnDevice,
 
             ["errors"] = result.Errors == null ? null : Errors(result.Errors),
+            ["rays_gpu_ms"] = result.Clutter == null ? null : Number(result.Clutter.Rays.Median),
+            ["clutter"] = result.Clutter == null ? null : new JArray(result.Clutter.Rows.Select(Clutter)),
         };
     }
 
@@ -131,6 +133,17 @@ static class BenchJson
         ["amplitude_relative"] = errors.AmplitudeRelative,
         ["amplitude_judge"] = errors.Reference.Amplitude,
         ["phase_rad"] = errors.Phase,
+    };
+
+    static JObject Clutter(ClutterTime row) => new()
+    {
+        ["what"] = row.What,
+        ["facets"] = row.Facets,
+        ["lit_fraction"] = row.Echo.LitFraction,
+        ["sum_ms"] = Number(row.Wall.Median),
+        ["sum_lowest_ms"] = Number(row.Wall.Lowest),
+        ["sum_gpu_ms"] = Number(row.Kernels.Median),
+        ["sum_gpu_lowest_ms"] = Number(row.Kernels.Lowest),
     };
 
     static JObject Time(Peer peer, string label, BenchResult result)

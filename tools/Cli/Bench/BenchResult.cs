@@ -26,6 +26,9 @@ sealed class BenchResult
     public Series Pose => Sweep?.Wall ?? Poses.Pose;
     public Series Kernels => Sweep?.Kernels ?? Poses.PoseGpu;
 
+    /// <summary>The diffuse echo of a sea; null if there is none.</summary>
+    public ClutterBench Clutter { get; set; }
+
     public IReadOnlyList<Peer> Peers { get; init; }
 
     /// <summary>

@@ -19,7 +19,7 @@ sealed class BenchTables(Terminal terminal)
         yield return Text(
             $"{settings.RaysAcross} x {settings.RaysDown} rays{RegionText(settings.Region)}, at most {settings.MaxBounces} bounces, {settings.FrequencyHz / 1e9:g6} GHz; medians and lowest of {result.Rounds} rounds");
         var tables = result.Sweep == null
-            ? new[] { Times(result), Statistics(result), Errors(result), Peers(result) }
+            ? new[] { Times(result), Clutter(result.Clutter), Statistics(result), Errors(result), Peers(result) }
             : [SweepTimes(result.Sweep), SweepStatistics(result.Sweep), Peers(result)];
         foreach (var table in tables.Where(table => table != null))
         {
@@ -53,6 +53,20 @@ sealed class BenchTables(Terminal terminal)
             Add("next pose: kernels, by the device's clock", poses.PoseGpu);
         Add(poses.PoseGpu.Count > 0 ? "next pose: all but the kernels" : "next pose: all but trace and sum",
             poses.Other);
+        return table;
+    }
+
+    Table Clutter(ClutterBench clutter)
+    {
+        if (clutter == null)
+            return null;
+        var table = _text.New(1, "diffuse echo of the sea", "facets", "lit, %", "a sum, ms", "kernels, ms", "lowest",
+            "/ rays");
+        foreach (var row in clutter.Rows)
+            table.AddRow(Escaped(row.What, Text($"{row.Facets:N0}"), Text($"{100 * row.Echo.LitFraction:0.0}"),
+                Ms(row.Wall.Median), Ms(row.Kernels.Median), Ms(row.Kernels.Lowest),
+                Text($"{row.Kernels.Median / clutter.Rays.Median:0.000}")));
+        table.AddRow(Escaped("rays without clutter", "", "", "", Ms(clutter.Rays.Median), Ms(clutter.Rays.Lowest), ""));
         return table;
     }
 

@@ -11,7 +11,7 @@ namespace Glint.Core
         /// <summary>The waves: nothing is scaled.</summary>
         Physics,
 
-        /// <summary>The model of that name in <see cref="ClutterModel.Formulas"/>.</summary>
+        /// <summary>The model of that name in <see cref="ClutterModel.All"/>.</summary>
         Nrl,
 
         /// <inheritdoc cref="Nrl"/>

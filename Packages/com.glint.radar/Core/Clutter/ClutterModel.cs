@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Glint.Core
 {
@@ -44,27 +45,17 @@ namespace Glint.Core
     /// </summary>
     public abstract class ClutterModel
     {
-        /// <summary>Models that are formulas, in the order of options and plots.</summary>
-        public static readonly IReadOnlyList<ClutterModel> Formulas =
-            new ClutterModel[] { new NrlModel(), new GitModel(), new TscModel(), new HybridModel() };
+        /// <summary>The models in the order of options and plots: formulas, and a table of measurements.</summary>
+        public static readonly IReadOnlyList<ClutterModel> All = new ClutterModel[]
+        {
+            new NrlModel(), new GitModel(), new TscModel(), new HybridModel(), new NathansonTable()
+        };
 
         /// <summary>Name of a level in options and results: "nrl".</summary>
         public static string NameOf(ClutterLevel level) => level.ToString().ToLowerInvariant();
 
-        /// <summary>The model of a level that is a formula; null for physics.</summary>
-        /// <exception cref="GlintException">The level is a table.</exception>
-        public static ClutterModel Of(ClutterLevel level)
-        {
-            switch (level)
-            {
-                case ClutterLevel.Physics: return null;
-                case ClutterLevel.Nrl: return Formulas[0];
-                case ClutterLevel.Git: return Formulas[1];
-                default:
-                    throw new GlintException("clutter level nathanson: its table is there in the editor and for the "
-                        + "commands, not in play mode: choose physics, nrl or git");
-            }
-        }
+        /// <summary>The model of a level; null for physics.</summary>
+        public static ClutterModel Of(ClutterLevel level) => All.FirstOrDefault(model => model.Name == NameOf(level));
 
         readonly Interval _gigahertz, _grazing, _seaStates;
 

@@ -25,8 +25,9 @@ namespace Glint.Core
         {
             (_scene, Clutter) = (scene, sea.Clutter);
             _tile = scene.Instances[sea.Tiles[0].Instance];
-            _tile.ToWorld.Origin = 0;
-            (_x, _z) = (math.normalize(_tile.ToWorld.X), math.normalize(_tile.ToWorld.Z));
+            // A tile on a curved earth is tilted.
+            (_x, _z) = (Level(_tile.ToWorld.X), Level(_tile.ToWorld.Z));
+            _tile.ToWorld = new Affine { X = _x, Y = new double3(0, 1, 0), Z = _z };
             _size = Clutter.LongWaves.Settings.TileSize;
             _box = new Lazy<(double, double2)>(BoxOf);
         }
@@ -75,6 +76,8 @@ namespace Glint.Core
                 IsInTile(corner + new double2(cell % cells.x, cell / cells.x) * step, step, across, along)).ToArray();
             return (new ClutterGrid(corner.x * across + corner.y * along, across, along, step, cells), areWhole);
         }
+
+        static double3 Level(double3 v) => math.normalize(new double3(v.x, 0, v.z));
 
         (double, double2) BoxOf()
         {

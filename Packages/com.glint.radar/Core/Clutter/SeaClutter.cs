@@ -177,17 +177,17 @@ namespace Glint.Core
         {
             double[] ofVertices = LongWaves.Accelerations(Time);
             var indices = LongWaves.Indices;
-            double direction = math.radians(LongWaves.Settings.WindDirectionDegrees);
-            int side = LongWaves.Settings.Cells + 1;
-            // In cells. Corners at one distance have equal numbers.
-            double AlongWind(int vertex) => Math.Round(
-                vertex % side * Math.Sin(direction) + vertex / side * Math.Cos(direction), 6);
+            int[] crest = WindwardCorners();
             var accelerations = new double[indices.Count / 3];
             // Of both triangles of a cell at its windward corner, the crest: waves break on their forward faces. A mean
             // over corners would lose the shortest waves, which accelerate most.
             for (int i = 0; i < accelerations.Length; i++)
-                accelerations[i] = Enumerable.Range(i / 2 * 6, 6).Select(corner => indices[corner])
-                    .Min(vertex => (AlongWind(vertex), ofVertices[vertex])).Item2;
+            {
+                double least = double.PositiveInfinity;
+                foreach (int corner in crest)
+                    least = Math.Min(least, ofVertices[indices[i / 2 * 6 + corner]]);
+                accelerations[i] = least;
+            }
             int[] order = Enumerable.Range(0, accelerations.Length).ToArray();
             Array.Sort(accelerations, order);
             var breaks = new bool[accelerations.Length];
@@ -195,6 +195,16 @@ namespace Glint.Core
             for (int i = 0; i < count; i++)
                 breaks[order[i]] = true;
             return breaks;
+        }
+
+        // Of the six corners of a cell's triangles, the same in all cells. Two of them may be at one distance.
+        int[] WindwardCorners()
+        {
+            double direction = math.radians(LongWaves.Settings.WindDirectionDegrees);
+            int side = LongWaves.Settings.Cells + 1;
+            double[] alongWind = LongWaves.Indices.Take(6).Select(vertex => Math.Round(
+                vertex % side * Math.Sin(direction) + vertex / side * Math.Cos(direction), 6)).ToArray();
+            return Enumerable.Range(0, 6).Where(corner => alongWind[corner] == alongWind.Min()).ToArray();
         }
     }
 }

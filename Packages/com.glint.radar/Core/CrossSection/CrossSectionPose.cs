@@ -98,7 +98,7 @@ namespace Glint.Core
 
         /// <summary>
         /// The pose of a radar's picture: what its camera lights returns to it. The phase centre is the point of its
-        /// axis beside the scene's centre; parallel rays are a plane wave.
+        /// axis beside the scene's centre; parallel rays are a plane wave. A scene with a sea lies on a curved earth.
         /// </summary>
         public static CrossSectionPose Of(in RadarPose pose)
         {
@@ -107,9 +107,10 @@ namespace Glint.Core
             var (boxMin, boxMax) = pose.Scene.Bound();
             // In front of the camera, whatever is behind it.
             double range = Math.Max(MinRange, math.dot((boxMin + boxMax) / 2 - view.Position, view.Forward));
+            bool isCurved = pose.Scene.Seas.Count > 0 && !view.IsParallel;
             return new CrossSectionPose
             {
-                Scene = pose.Scene, Radar = radar, Receivers = new[] { radar },
+                Scene = isCurved ? CurvedEarth.Below(view.Position, pose.Scene) : pose.Scene, Radar = radar, Receivers = new[] { radar },
                 PhaseCentre = view.Position + range * view.Forward,
                 Range = view.IsParallel ? double.PositiveInfinity : range,
                 Footprint = new RadarFootprint(view, pose.Settings), Frequencies = new[] { pose.Settings.FrequencyHz },

@@ -8,8 +8,8 @@ namespace Glint.Core
     public static class ClutterColumn
     {
         /// <summary>The published models beside the sea's echo: names, and titles for plots.</summary>
-        public static readonly IReadOnlyList<(string Name, string Title)> Models = ClutterModel.Formulas
-            .Select(model => (model.Name, model.Title)).Append((NathansonTable.Id, NathansonTable.Source)).ToArray();
+        public static readonly IReadOnlyList<(string Name, string Title)> Models =
+            ClutterModel.All.Select(model => (model.Name, model.Title)).ToArray();
 
         /// <summary>Every column, in the order of the file.</summary>
         public static IReadOnlyList<ResultColumn> All { get; } = ResultColumn.Number(new[]

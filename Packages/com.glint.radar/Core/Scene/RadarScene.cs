@@ -50,12 +50,20 @@ namespace Glint.Core
         public (double3 Min, double3 Max) Bound()
         {
             double3 boxMin = double.PositiveInfinity, boxMax = double.NegativeInfinity;
-            foreach (var instance in Instances)
-                foreach (int index in instance.Mesh.Indices)
+            // Tiles of a sea have one mesh and one direction.
+            foreach (var group in Instances.GroupBy(it => (it.Mesh, it.ToWorld.X, it.ToWorld.Y, it.ToWorld.Z)))
+            {
+                var toWorld = group.First().ToWorld;
+                double3 low = double.PositiveInfinity, high = double.NegativeInfinity;
+                foreach (int index in group.Key.Mesh.Indices)
                 {
-                    double3 point = instance.ToWorld.Point(instance.Mesh.Vertices[index]);
-                    (boxMin, boxMax) = (math.min(boxMin, point), math.max(boxMax, point));
+                    double3 vector = toWorld.Vector(group.Key.Mesh.Vertices[index]);
+                    (low, high) = (math.min(low, vector), math.max(high, vector));
                 }
+                foreach (var instance in group)
+                    (boxMin, boxMax) = (math.min(boxMin, low + instance.ToWorld.Origin),
+                        math.max(boxMax, high + instance.ToWorld.Origin));
+            }
             return (boxMin, boxMax);
         }
 

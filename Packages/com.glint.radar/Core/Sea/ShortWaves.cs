@@ -64,9 +64,9 @@ namespace Glint.Core
         /// </summary>
         public double Height => HeightDeviation(Cut, Elfouhaily.MaxWaveNumber);
 
-        /// <summary>Message about a step above 3 dB; null without one.</summary>
+        /// <summary>Message about a step above 3 dB, to follow the sea's name; null without one.</summary>
         public string StepWarning => !(Math.Abs(Step) > LargestStep) ? null
-            : FormattableString.Invariant($"sea: where its mesh ends, at waves of {2 * Math.PI / Cut:0.###} m, ")
+            : FormattableString.Invariant($"where its mesh ends, at waves of {2 * Math.PI / Cut:0.###} m, ")
                 + FormattableString.Invariant($"the short waves of a clutter wind of {Wind:0.#} m/s are ")
                 + FormattableString.Invariant($"{Math.Abs(Step):0.0} dB ") + (Step > 0 ? "above" : "below")
                 + " the long ones: give a clutter wind that fits the sea, or the sea Elfouhaily's spectrum and the "

@@ -37,7 +37,7 @@ namespace Glint.Editor
                 $"sea state {first.SeaState:0.0}, clutter wind {first.ShortWaves.Wind:0.0} m/s, level ")
                 + ClutterModel.NameOf(first.Settings.Level));
             var levels = setup.Model == null ? null : new ClutterLevels(tracer, setup.Model);
-            var models = PublishedClutter.Models;
+            var models = ClutterModel.All;
             int done = 0;
             progress.Start(setup.Name, setup.Count);
             try

@@ -32,11 +32,13 @@ namespace Glint.Editor
             ScenePath = LoadedScene.OpenSceneFile(line.Input);
             _sea = SceneSearch.FindSea(line.Input);
             SwitchOn();
-            Model = PublishedClutter.Of(_sea.Clutter.Level);
+            Model = ClutterModel.Of(_sea.Clutter.Level);
             _moments = MomentsOf();
             (_azimuths, _frequencies) = (line.Get(ClutterOptions.Azimuth), line.Get(ClutterOptions.Frequency));
             Cell = line.Get(ClutterOptions.Cell);
             First = Show(_moments[0]);
+            foreach (string warning in _gatherer.Warnings)
+                Debug.LogWarning($"{line.Input}: {warning}");
             _grazing = GrazingOf(First.Clutter);
             Validate(First);
         }

@@ -307,8 +307,9 @@ namespace Glint.Editor
             Inputs = InputKind.File | InputKind.BuiltIn,
             Options = new Option[]
                 {
-                    Options.Rounds, Options.TimedSweep, Options.Peers, Options.Reference, Options.Json,
-                    Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles
+                    Options.Rounds, Options.TimedSweep, Options.TimedFacets, Options.Peers, Options.Reference,
+                    Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
+                    Options.Clutter
                 }.Concat(Options.Radar).Concat(new Option[] { Options.Accuracy, Options.Device }).ToArray(),
             Notes = new[]
                 {
@@ -322,6 +323,8 @@ namespace Glint.Editor
                     Example("bench --size 7680x4320 --reference none --json 8k.json",
                         "33 million rays, with the figures in a file."),
                     Example("bench --sweep 200", "Poses a second of a sweep, and where its wall time goes."),
+                    Example("bench --facets 4000000 --reference none",
+                        "The diffuse echo of a sea of 2 x 2 km beside a pose."),
                     Example("bench --accuracy --json accuracy.json",
                         "Run time against error: the plot, tables and figures."),
                     Example("bench --peer \"Embree=./embree {scene}\"", "In turns with another program.")

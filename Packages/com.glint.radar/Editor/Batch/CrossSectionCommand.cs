@@ -55,7 +55,7 @@ namespace Glint.Editor
             return new CrossSectionSetup(scene, plan)
             {
                 ScenePath = path, Objects = gatherer.ObjectCount, Command = Batch.ArgumentsOf(line),
-                PhaseCentre = PhaseCentreOf(line, scene), ClutterModelOf = PublishedClutter.Of,
+                PhaseCentre = PhaseCentreOf(line, scene),
                 Polarisations = line.Get(CrossSectionOptions.Polarisations),
                 ToleranceDb = line.Get(CrossSectionOptions.Tolerance),
                 GivenFloorDbsm = line.Get(CrossSectionOptions.Floor),

@@ -36,6 +36,7 @@ namespace Glint.Editor
             Interval.Closed(RadarSettings.MinToleranceDb, RadarSettings.MaxToleranceDb);
         static readonly Interval Triangles = Interval.Closed(1000, 50000000);
         static readonly Interval TimedPoses = Interval.Closed(3, 100000);
+        static readonly Interval FacetCount = Interval.Closed(100, 8000000);
 
         // The lists of a sweep, in the order of SweepAxis.All.
         static readonly Option<double[]>[] s_axes = SweepAxis.All.Select(axis =>
@@ -296,6 +297,19 @@ namespace Glint.Editor
                     + "each peer once."
             };
 
+        /// <summary>About as many facets has the sea whose diffuse echo is timed.</summary>
+        public static readonly Option<int> TimedFacets =
+            new Option<int>("facets", "N", text => Values.Whole(text, FacetCount))
+            {
+                Group = BenchGroup,
+                Inputs = InputKind.BuiltIn,
+                Refusal = "a scene has its own sea, whose echo is timed if its clutter is on: leave it out, or INPUT",
+                Range = FacetCount.ToString(),
+                Excludes = new (Option, string)[] { (TimedSweep, "a sweep has no clutter") },
+                Help = "Also: the diffuse echo of a sea of about N facets of 1 m2, with one shadow ray a facet and one "
+                    + "sum, at 1, 3, 10 and 45 degrees of grazing."
+            };
+
         /// <summary>About as many rays are compared with the reference tracer's.</summary>
         public static readonly Option<int> Rays = Whole("rays", "N", "100000",
             Interval.Closed(1, 1000000000), VerifyGroup,
@@ -329,7 +343,7 @@ namespace Glint.Editor
             ImpliedText = "accuracy.svg",
             Excludes = new Option[]
             {
-                Reference, Peers, TimedSweep, WriteScene, Seed, SeaTriangles, ShipTriangles,
+                Reference, Peers, TimedSweep, TimedFacets, WriteScene, Seed, SeaTriangles, ShipTriangles,
                 Size, Region, Frequency, Bounces, NoSamplingError, Receiver
             }
                 .Select(option => (option, "it has its own scenes and radars")).ToArray(),

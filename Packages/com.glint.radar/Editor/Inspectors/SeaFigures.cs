@@ -18,8 +18,7 @@ namespace Glint.Editor
         /// <summary>Labels and tooltips of the fields of <see cref="SeaClutterSettings"/>, in their order.</summary>
         public static readonly (string field, string label, string tooltip)[] Clutter = SeaClutterSettings.Measures
             .Select(measure => measure.Row)
-            .Prepend(("Level", "Level", "Mean of the diffuse echo: of the waves, or of a published model. Nathanson's "
-                + "table is there for commands, not in play mode."))
+            .Prepend(("Level", "Level", "Mean of the diffuse echo: of the waves, or of a published model."))
             .Prepend(("IsOn", "Clutter", "Diffuse echo of the sea, and the reflection of its water. Off: the tiles "
                 + "are perfect mirrors.")).ToArray();
 
@@ -33,7 +32,7 @@ namespace Glint.Editor
             if (sea.Material == null)
                 return new Finding(Severity.Warning, sea.HasNoMaterial, AssignMaterial(sea));
             return clutter?.ShortWaves.StepWarning == null ? null
-                : new Finding(Severity.Warning, clutter.ShortWaves.StepWarning);
+                : new Finding(Severity.Warning, $"Sea of '{sea.name}': {clutter.ShortWaves.StepWarning}");
         }
 
         static Fix AssignMaterial(Sea sea) => new Fix("Assign Unity's material", () =>

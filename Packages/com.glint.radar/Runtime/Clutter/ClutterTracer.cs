@@ -27,6 +27,9 @@ namespace Glint
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
+        /// <summary>Work of all sums: dispatches, round trips and bytes.</summary>
+        public TraceStatistics Statistics => _kernel.Statistics;
+
         /// <summary>
         /// Sums the echo of all seas of a scene with clutter, at one frequency of a pose, at the level of their waves.
         /// </summary>
@@ -42,7 +45,7 @@ namespace Glint
         public ClutterEcho[] Trace(CrossSectionPose pose, double frequency, ClutterGrid grid = null,
             IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
+            _scene.Set(pose.Scene, Statistics, (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
             _scene.RequireOnePage(_owner, "clutter takes");
             return _kernel.Sum(_scene, pose, frequency, 0, grid ?? ClutterGrid.Whole, null, progress, cancel);
         }

@@ -29,16 +29,18 @@ namespace Glint
         /// <param name="centre">Origin of the kernels' coordinates.</param>
         /// <param name="frequency">Of the table, hertz.</param>
         /// <param name="areMoving">Whether velocities are read.</param>
-        public void Set(RadarScene scene, RadarSea sea, double3 centre, double frequency, bool areMoving)
+        /// <param name="statistics">Receives the bytes.</param>
+        public void Set(RadarScene scene, RadarSea sea, double3 centre, double frequency, bool areMoving,
+            TraceStatistics statistics)
         {
             var mesh = scene.Instances[sea.Tiles[0].Instance].Mesh;
             var breaking = sea.Clutter.BreakingFacets;
             if (mesh != _mesh || breaking != _breaking)
-                Facets.Upload(FacetsOf(mesh, breaking));
+                Upload(Facets, FacetsOf(mesh, breaking), statistics);
             // Those of an earlier pulse stay: poses may read them in turns.
             var velocities = areMoving ? sea.Clutter.FacetVelocities : _velocities ?? Array.Empty<double3>();
             if (velocities != _velocities)
-                Velocities.Upload(velocities.Select(velocity => new float4((float3)velocity, 0)).ToArray());
+                Upload(Velocities, velocities.Select(velocity => new float4((float3)velocity, 0)).ToArray(), statistics);
             _velocities = velocities;
             var table = sea.Clutter.TableAt(frequency);
             if (table != _table)
@@ -46,8 +48,8 @@ namespace Glint
             (_mesh, _breaking, _table) = (mesh, breaking, table);
             FacetCount = mesh.TriangleCount;
             TileCount = sea.Tiles.Count;
-            Tiles.Upload(sea.Tiles.Select(tile =>
-                RecordOf(scene.Instances[tile.Instance].ToWorld, centre, NumberOf(tile.Number))).ToArray());
+            Upload(Tiles, sea.Tiles.Select(tile =>
+                RecordOf(scene.Instances[tile.Instance].ToWorld, centre, NumberOf(tile.Number))).ToArray(), statistics);
         }
 
         public void Dispose()
@@ -58,6 +60,12 @@ namespace Glint
             Table.Dispose();
             Levels.Dispose();
             (_mesh, _breaking, _velocities, _table) = (null, null, null, null);
+        }
+
+        static void Upload<T>(DeviceBuffer<T> buffer, T[] elements, TraceStatistics statistics) where T : struct
+        {
+            buffer.Upload(elements);
+            statistics.BytesUploaded += (long)elements.Length * buffer.Stride;
         }
 
         // Facets look up, whichever way the triangles turn.

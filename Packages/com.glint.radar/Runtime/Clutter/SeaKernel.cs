@@ -26,6 +26,9 @@ namespace Glint
 
         DeviceScene _scene;
 
+        /// <summary>Dispatches, round trips and bytes of all sums.</summary>
+        public TraceStatistics Statistics { get; } = new TraceStatistics();
+
         /// <param name="shader">Shaders/Tubes.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
         public SeaKernel(ComputeShader shader, string owner)
@@ -58,12 +61,13 @@ namespace Glint
         ClutterEcho[] Sum(CrossSectionPose pose, RadarSea sea, double frequency, double time, ClutterGrid grid,
             IProgress<double> progress, CancellationToken cancel)
         {
-            _sea.Set(pose.Scene, sea, _scene.Centre, frequency, time != 0);
-            var read = new uint[ClutterSums.CopyWords * grid.Count * ClutterSums.CopiesOf(grid.Count)];
+            _sea.Set(pose.Scene, sea, _scene.Centre, frequency, time != 0, Statistics);
+            var read = new uint[ClutterSums.WordsOf(grid.Count)];
             _output.Reserve(read.Length);
             Bind(pose, sea.Clutter, frequency, time, grid);
             _shader.SetInt(TubeIDs._ClearedWords, read.Length);
             _shader.DispatchThreads(_clear, read.Length);
+            Statistics.Dispatches++;
             long total = (long)_sea.FacetCount * _sea.TileCount;
             for (long first = 0; first < total;)
             {
@@ -76,6 +80,9 @@ namespace Glint
                 _shader.DispatchThreads(_facets, count);
                 _output.ReadBack(read, read.Length);
                 _pacer.Took(tiles, watch.Elapsed.TotalSeconds);
+                Statistics.Dispatches++;
+                Statistics.RoundTrips++;
+                Statistics.BytesReadBack += sizeof(uint) * (long)read.Length;
                 first += count;
                 progress?.Report((double)first / total);
             }

@@ -17,11 +17,8 @@ namespace Glint
 
         public SeaLevels(ComputeShader shader, string owner) => (_shader, _owner) = (shader, owner);
 
-        /// <summary>The model of a published level. A table is read once.</summary>
-        public Func<ClutterLevel, ClutterModel> ModelOf { get; set; } = ClutterModel.Of;
-
         /// <summary>The factors of a sea of a pose; null for none. Traced once a direction.</summary>
-        /// <exception cref="GlintException">The model is not at hand or does not hold for the sea.</exception>
+        /// <exception cref="GlintException">The model does not hold for the sea.</exception>
         public ClutterLevelTable Of(CrossSectionPose pose, RadarSea sea, double frequency, CancellationToken cancel)
         {
             var level = sea.Clutter.Settings.Level;
@@ -29,7 +26,7 @@ namespace Glint
                 return null;
             _tracer ??= new ClutterTracer(_shader, _owner);
             if (!_levels.TryGetValue(level, out var levels))
-                _levels.Add(level, levels = new ClutterLevels(_tracer, ModelOf(level)));
+                _levels.Add(level, levels = new ClutterLevels(_tracer, ClutterModel.Of(level)));
             double3 toRadar = pose.Radar.ToRadar;
             double azimuth = math.degrees(Math.Atan2(-toRadar.x, -toRadar.z));
             return levels.TableOf(new EndlessSea(pose.Scene, sea), frequency, azimuth, null, cancel);

@@ -201,9 +201,6 @@ namespace Glint
         /// </summary>
         public bool CountVisits { get; set; }
 
-        /// <summary>The models of published levels that seas may ask for; by default those that are formulas.</summary>
-        public Func<ClutterLevel, ClutterModel> ClutterModelOf { get; set; } = ClutterModel.Of;
-
         /// <summary>Raised after each pose traced.</summary>
         public event Action<RadarController> Traced;
 
@@ -281,7 +278,7 @@ namespace Glint
                 : _tracer.Finish(inFlight, progress, cancel);
             if (inFlight.Pose.Scene.Seas.Count > 0)
             {
-                _crossSections ??= new CrossSectionTracer(_clutterKernel, Subject) { ClutterModelOf = ClutterModelOf };
+                _crossSections ??= new CrossSectionTracer(_clutterKernel, Subject);
                 var echo = _crossSections.Trace(CrossSectionPose.Of(inFlight.Pose), progress, cancel);
                 result = result.With(PoseEcho.Of(echo));
             }

@@ -61,7 +61,7 @@ namespace Glint
                 if (resume)
                     Done = folder.Resume(Count);
             }
-            _tracer = new CrossSectionTracer(shader, subject) { ClutterModelOf = setup.ClutterModelOf };
+            _tracer = new CrossSectionTracer(shader, subject);
         }
 
         /// <summary>Number of rows of the run, or of the part.</summary>

@@ -83,9 +83,6 @@ namespace Glint
         /// </summary>
         public bool HasContributions { get; set; }
 
-        /// <summary>The models of published levels that seas may ask for; by default those that are formulas.</summary>
-        public Func<ClutterLevel, ClutterModel> ClutterModelOf { get; set; } = ClutterModel.Of;
-
         /// <summary>What is made of the responses over a band; null for cross sections alone.</summary>
         public EchoSettings Echo { get; set; }
 

@@ -73,9 +73,6 @@ namespace Glint
         /// </summary>
         internal double CellError { get; set; }
 
-        /// <inheritdoc cref="SeaLevels.ModelOf"/>
-        internal Func<ClutterLevel, ClutterModel> ClutterModelOf { set => _levels.ModelOf = value; }
-
         /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int CellsADispatch { get; set; }
 

@@ -51,6 +51,10 @@ namespace Glint
         public IReadOnlyList<RadarSea> ToSeas() => _seas.Values.Where(sea => sea.Tiles.Count > 0)
             .Select(sea => new RadarSea(sea.Clutter, sea.Tiles)).ToArray();
 
+        /// <summary>What is doubtful of the seas, a line each.</summary>
+        public IEnumerable<string> Warnings => _seas.Values.Where(it => it.Clutter.ShortWaves.StepWarning != null)
+            .Select(it => $"Sea of '{it.Sea.name}': {it.Clutter.ShortWaves.StepWarning}");
+
         sealed class GatheredSea
         {
             public readonly Sea Sea;

@@ -52,7 +52,7 @@ namespace Glint
         /// <summary>Number of objects with a mesh in the last gather.</summary>
         public int ObjectCount => _objects.Count;
 
-        /// <summary>Objects that are not traced and why, a line each.</summary>
+        /// <summary>Objects that are not traced and why, and seas whose clutter is doubtful, a line each.</summary>
         public IReadOnlyList<string> Warnings => _warnings;
 
         /// <summary>Announces that a transform will move, so that its first motion costs nothing.</summary>
@@ -186,6 +186,7 @@ namespace Glint
             if (skinned.Count > 0)
                 _warnings.Add($"skinned meshes are not traced: '{string.Join("', '", skinned)}'. "
                     + "Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
+            _warnings.AddRange(_seas.Warnings);
         }
 
         void AddObject(TransformNode node, Renderer renderer)

@@ -61,6 +61,36 @@ public sealed class BenchTests
             Assert.That(output, Does.Contain(title));
     }
 
+    [Test]
+    public void Bench_OfFacets_TimesTheirEchoBesideTheRays()
+    {
+        string file = Path.Combine(_folder, "figures.json");
+        var (code, output, error) = TestShell.Run([.. Small, "--reference", "none", "--facets", "800", "--json", file]);
+
+        Assert.That(code, Is.EqualTo(0), error);
+        Assert.That(output, Does.Contain("diffuse echo of the sea").And.Contain("rays without clutter"));
+        var figures = JObject.Parse(File.ReadAllText(file));
+        Assert.That(figures["rays_gpu_ms"].ToObject<double>(), Is.GreaterThan(0));
+        Assert.That(figures["clutter"].Select(row => row["facets"].ToObject<int>()), Is.All.EqualTo(800));
+        var lit = figures["clutter"].Select(row => row["lit_fraction"].ToObject<double>()).ToArray();
+        Assert.That(lit, Is.Ordered.And.All.GreaterThan(0).And.All.LessThanOrEqualTo(1));
+        Assert.That(figures["clutter"].Select(row => row["sum_gpu_ms"].ToObject<double>()), Is.All.GreaterThan(0));
+    }
+
+    // The stored sea of state 5.
+    [Test]
+    public void Bench_OfASceneWithClutter_TimesTheEchoOfItsPicture()
+    {
+        string file = Path.Combine(_folder, "figures.json");
+        var (code, _, error) = TestShell.Run("bench", "Scenes/SeaState5.unity", "--clutter", "on", "--size", "96x54",
+            "--rounds", "1", "--reference", "none", "--json", file);
+
+        Assert.That(code, Is.EqualTo(0), error);
+        var row = JObject.Parse(File.ReadAllText(file))["clutter"].Single();
+        Assert.That(row["lit_fraction"].ToObject<double>(), Is.GreaterThan(0).And.LessThanOrEqualTo(1));
+        Assert.That(row["sum_gpu_ms"].ToObject<double>(), Is.GreaterThan(0));
+    }
+
     // The reference tracer traces the same rays, so the sums differ only by rounding.
     [Test]
     public void Bench_ComparingEverySeventhRayOfARegion_ComparesThose()
