@@ -88,7 +88,7 @@ namespace Glint.Core
         {
             if (Settings.Radar == null || !(Responses(direction, polarisation, pulse) is Complex[] responses))
                 return null;
-            var received = Settings.Radar.Receive(Band, responses);
+            var received = Settings.Radar.Receive(Band, Planned(direction), responses);
             // The same noise whatever other polarisations were asked for.
             long number = 4 * ((long)direction * Plan.PulseCount + pulse) + 2 * polarisation.Received
                 + polarisation.Sent;

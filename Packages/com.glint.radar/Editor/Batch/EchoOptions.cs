@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
@@ -16,7 +17,8 @@ namespace Glint.Editor
             s_decibels = Interval.Closed(0, 100), s_seed = Interval.Closed(0, int.MaxValue),
             s_pulses = Interval.Closed(2, 1 << 16), s_repetition = Interval.Closed(1e-3, 1e9),
             s_speed = Interval.Closed(-1e4, 1e4), s_turnRate = Interval.Closed(-3600, 3600),
-            s_falseAlarm = Interval.Closed(1e-12, 0.5);
+            s_falseAlarm = Interval.Closed(1e-12, 0.5), s_widths = Interval.Closed(0.01, 179),
+            s_angles = Interval.Closed(-179, 179);
 
         /// <summary>Middle of the band, hertz.</summary>
         public static readonly Option<double> Frequency = Options.Number("frequency", "HZ", "10e9",
@@ -92,8 +94,62 @@ namespace Glint.Editor
             };
 
         /// <summary>Gain of the antenna, decibels.</summary>
-        public static readonly Option<double> Gain = Needing(Power, Options.Number("gain", "DBI", "0", s_gain,
-            RadarGroup, InputKind.Any, "Gain in dBi of the antenna, which sends and receives."));
+        public static readonly Option<double?> Gain = Needing(Power,
+            new Option<double?>("gain", "DBI", text => Values.Real(text, s_gain))
+            {
+                Group = RadarGroup,
+                Range = s_gain.ToString(),
+                Help = "Gain in dBi of the antenna, which sends and receives, in the middle of its beam. Without it: "
+                    + "10 log10(26000 / (AZ EL)) of the beam widths of --antenna, without that 0."
+            });
+
+        /// <summary>Name of a pattern, or the file of a table; null when not given.</summary>
+        public static readonly Option<string> AntennaPattern = Needing(Power,
+            new Option<string>("antenna", "PATTERN", Values.NotEmpty)
+            {
+                Group = RadarGroup,
+                Choices = EchoAntenna.Names,
+                Range = string.Join(", ", EchoAntenna.Names) + " or a file",
+                Help = "Pattern of the antenna: gaussian, sinc (sidelobes of -13 dB), csc2 (in elevation), or a file "
+                    + $"whose first line is {EchoAntenna.TableHeader}, with levels over the gain. The whole target has "
+                    + "the gain of the phase centre: it may take a tenth of the beam. Without it: the same gain "
+                    + "everywhere."
+            });
+
+        /// <summary>Beam widths in azimuth and elevation, degrees; null when not given.</summary>
+        public static readonly Option<double2?> Beam = Needing(AntennaPattern,
+            new Option<double2?>("beam", "AZ,EL", text => Values.Pair(text, s_widths))
+            {
+                Group = RadarGroup,
+                Range = "each " + s_widths,
+                Help = "Beam widths between the points of half power, in azimuth and in elevation, in degrees. A file "
+                    + "has its own."
+            });
+
+        /// <summary>Where the cosecant begins and ends, degrees; null when not given.</summary>
+        public static readonly Option<double2?> Cosecant = Needing(AntennaPattern,
+            new Option<double2?>("cosecant", "FROM,TO", text => Values.Pair(text, s_angles))
+            {
+                Group = RadarGroup,
+                Range = "each " + s_angles,
+                Help = "Elevations from the middle of the beam between which the power of csc2 falls with 1 / sin^2, "
+                    + "in degrees, negative downwards."
+            });
+
+        /// <summary>Azimuth of the beam's middle from the phase centre, degrees.</summary>
+        public static readonly Option<double> Squint = Needing(AntennaPattern, Options.Number("squint", "DEG", "0",
+            s_angles, RadarGroup, InputKind.Any,
+            "Azimuth of the middle of the beam from the direction to the phase centre in degrees, to the right."));
+
+        /// <summary>Elevation of the beam's middle, degrees; null when not given.</summary>
+        public static readonly Option<double?> Tilt = Needing(AntennaPattern,
+            new Option<double?>("tilt", "DEG", text => Values.Real(text, s_angles))
+            {
+                Group = RadarGroup,
+                Range = s_angles.ToString(),
+                Help = "Elevation of the middle of the beam over the horizontal in degrees, whatever --elevation is. "
+                    + "Without it: the beam has the elevation of the phase centre."
+            });
 
         /// <summary>Losses, decibels.</summary>
         public static readonly Option<double> Loss = Needing(Power, Options.Number("loss", "DB", "0", s_decibels,
@@ -142,8 +198,8 @@ namespace Glint.Editor
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All = new Option[]
             {
-                Frequency, Bandwidth, Frequencies, Window, Pulses, Repetition, Velocity, TurnRate, Power, Gain, Loss,
-                NoiseFigure, Seed, Detect, FalseAlarm
+                Frequency, Bandwidth, Frequencies, Window, Pulses, Repetition, Velocity, TurnRate, Power, Gain,
+                AntennaPattern, Beam, Cosecant, Squint, Tilt, Loss, NoiseFigure, Seed, Detect, FalseAlarm
             }.Concat(CrossSectionOptions.All.Where(option =>
                 option != CrossSectionOptions.Frequency && option != CrossSectionOptions.Contributions
                 && option != CrossSectionOptions.Out)).Concat(new Option[] { CrossSectionOptions.Out, Matlab, SigMf })
@@ -207,6 +263,7 @@ namespace Glint.Editor
             if (bandwidth >= 2 * centre)
                 throw new UsageException($"{Bandwidth.Flag} {Numbers.Format(bandwidth)}: must be below twice "
                     + $"{Frequency.Flag}, {Numbers.Format(2 * centre)} Hz");
+            var antenna = AntennaOf(line);
             return new EchoSettings
             {
                 Bandwidth = bandwidth, Window = line.Get(Window), HasMatlab = line.Get(Matlab),
@@ -217,12 +274,49 @@ namespace Glint.Editor
                 Radar = line.Get(Power) is double power
                     ? new EchoRadar
                     {
-                        Power = power, GainDb = line.Get(Gain), LossDb = line.Get(Loss),
+                        Power = power, GainDb = line.Get(Gain) ?? antenna?.UsualGainDb ?? 0, Antenna = antenna,
+                        LossDb = line.Get(Loss),
                         NoiseFigureDb = line.Get(NoiseFigure), Seed = line.Get(Seed),
                         Range = line.Get(CrossSectionOptions.Range).Value
                     }
                     : null
             };
+        }
+
+        static EchoAntenna AntennaOf(CommandLine line)
+        {
+            string pattern = line.Get(AntennaPattern);
+            if (pattern == null)
+                return null;
+            bool isNamed = EchoAntenna.Names.Contains(pattern);
+            Require(line, Beam, pattern, isNamed);
+            Require(line, Cosecant, pattern, pattern == EchoAntenna.Cosecant);
+            var antenna = isNamed
+                ? new EchoAntenna(pattern, line.Get(Beam).Value, line.Get(Cosecant))
+                : Read(pattern);
+            (antenna.Squint, antenna.Tilt) = (line.Get(Squint), line.Get(Tilt));
+            return antenna;
+        }
+
+        static void Require(CommandLine line, Option option, string pattern, bool isNeeded)
+        {
+            if (line.IsGiven(option) != isNeeded)
+                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(pattern)}: "
+                    + (isNeeded ? $"give {option.Flag} {option.ValueName}" : $"it has no {option.Flag}"));
+        }
+
+        static EchoAntenna Read(string path)
+        {
+            try
+            {
+                return new EchoAntenna(File.ReadAllText(path));
+            }
+            catch (Exception problem) when (problem is FormatException || problem is IOException
+                || problem is UnauthorizedAccessException || problem is GlintException)
+            {
+                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(path)}: {problem.Message}; give one of "
+                    + $"{string.Join(", ", EchoAntenna.Names)}, or a file with such a table");
+            }
         }
 
         /// <summary>The plan of a command line, with the frequencies of its band.</summary>
