@@ -52,8 +52,16 @@ namespace Glint.Core
             FolderSuffix = "-clutter"
         };
 
+        /// <summary>
+        /// The turn of a radar screen, by whose video the folder is known; rows are detections, if they are asked for.
+        /// </summary>
+        public static readonly ResultTable Screen = new ResultTable("ppi", "video.npz", ScreenColumn.All)
+        {
+            FolderSuffix = "-ppi"
+        };
+
         /// <summary>Every table.</summary>
-        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo, Clutter };
+        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo, Clutter, Screen };
 
         ResultTable(string name, string csvName, IReadOnlyList<ResultColumn> columns) =>
             (Name, CsvName, Columns) = (name, csvName, columns);

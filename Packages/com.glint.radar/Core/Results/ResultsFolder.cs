@@ -291,7 +291,8 @@ namespace Glint.Core
             return isOlder ? 0 : Math.Min(same, csv.Length);
         }
 
-        static string Csv(IReadOnlyList<ResultColumn> columns, IEnumerable<StoredRow> rows = null) =>
+        /// <summary>The heading of columns, and the lines of rows.</summary>
+        public static string Csv(IReadOnlyList<ResultColumn> columns, IEnumerable<StoredRow> rows = null) =>
             string.Join(",", columns.Select(column => column.Name)) + "\n"
             + string.Concat((rows ?? Enumerable.Empty<StoredRow>()).Select(row => row.ToCsv(columns)));
 

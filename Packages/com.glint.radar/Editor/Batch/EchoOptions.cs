@@ -62,7 +62,7 @@ namespace Glint.Editor
             };
 
         /// <summary>Pulse repetition frequency, hertz.</summary>
-        public static readonly Option<double> Repetition = Needing(Pulses, Options.Number("prf", "HZ", "1000",
+        public static readonly Option<double> Repetition = Options.Needing(Pulses, Options.Number("prf", "HZ", "1000",
             s_repetition, PulseGroup, InputKind.Any, "Pulse repetition frequency in hertz. Speeds are unambiguous up "
                 + "to half of the blind speed, lambda PRF / 2; a bin of speed is the blind speed over M."));
 
@@ -94,7 +94,7 @@ namespace Glint.Editor
             };
 
         /// <summary>Gain of the antenna, decibels.</summary>
-        public static readonly Option<double?> Gain = Needing(Power,
+        public static readonly Option<double?> Gain = Options.Needing(Power,
             new Option<double?>("gain", "DBI", text => Values.Real(text, s_gain))
             {
                 Group = RadarGroup,
@@ -104,7 +104,7 @@ namespace Glint.Editor
             });
 
         /// <summary>Name of a pattern, or the file of a table; null when not given.</summary>
-        public static readonly Option<string> AntennaPattern = Needing(Power,
+        public static readonly Option<string> AntennaPattern = Options.Needing(Power,
             new Option<string>("antenna", "PATTERN", Values.NotEmpty)
             {
                 Group = RadarGroup,
@@ -117,7 +117,7 @@ namespace Glint.Editor
             });
 
         /// <summary>Beam widths in azimuth and elevation, degrees; null when not given.</summary>
-        public static readonly Option<double2?> Beam = Needing(AntennaPattern,
+        public static readonly Option<double2?> Beam = Options.Needing(AntennaPattern,
             new Option<double2?>("beam", "AZ,EL", text => Values.Pair(text, s_widths))
             {
                 Group = RadarGroup,
@@ -127,7 +127,7 @@ namespace Glint.Editor
             });
 
         /// <summary>Where the cosecant begins and ends, degrees; null when not given.</summary>
-        public static readonly Option<double2?> Cosecant = Needing(AntennaPattern,
+        public static readonly Option<double2?> Cosecant = Options.Needing(AntennaPattern,
             new Option<double2?>("cosecant", "FROM,TO", text => Values.Pair(text, s_angles))
             {
                 Group = RadarGroup,
@@ -137,12 +137,12 @@ namespace Glint.Editor
             });
 
         /// <summary>Azimuth of the beam's middle from the phase centre, degrees.</summary>
-        public static readonly Option<double> Squint = Needing(AntennaPattern, Options.Number("squint", "DEG", "0",
+        public static readonly Option<double> Squint = Options.Needing(AntennaPattern, Options.Number("squint", "DEG", "0",
             s_angles, RadarGroup, InputKind.Any,
             "Azimuth of the middle of the beam from the direction to the phase centre in degrees, to the right."));
 
         /// <summary>Elevation of the beam's middle, degrees; null when not given.</summary>
-        public static readonly Option<double?> Tilt = Needing(AntennaPattern,
+        public static readonly Option<double?> Tilt = Options.Needing(AntennaPattern,
             new Option<double?>("tilt", "DEG", text => Values.Real(text, s_angles))
             {
                 Group = RadarGroup,
@@ -152,11 +152,11 @@ namespace Glint.Editor
             });
 
         /// <summary>Losses, decibels.</summary>
-        public static readonly Option<double> Loss = Needing(Power, Options.Number("loss", "DB", "0", s_decibels,
+        public static readonly Option<double> Loss = Options.Needing(Power, Options.Number("loss", "DB", "0", s_decibels,
             RadarGroup, InputKind.Any, "Losses of transmitter, lines and receiver together in dB."));
 
         /// <summary>Noise figure, decibels; null when not given.</summary>
-        public static readonly Option<double?> NoiseFigure = Needing(Power,
+        public static readonly Option<double?> NoiseFigure = Options.Needing(Power,
             new Option<double?>("noise-figure", "DB", text => Values.Real(text, s_decibels))
             {
                 Group = RadarGroup,
@@ -166,26 +166,15 @@ namespace Glint.Editor
             });
 
         /// <summary>Seed of the noise.</summary>
-        public static readonly Option<int> Seed = Needing(NoiseFigure, Options.Whole("seed", "N", "0", s_seed,
+        public static readonly Option<int> Seed = Options.Needing(NoiseFigure, Options.Whole("seed", "N", "0", s_seed,
             RadarGroup, "Seed of the noise: the same number gives the same noise."));
 
         /// <summary>How targets are detected; null when not given.</summary>
-        public static readonly Option<string> Detect =
-            new Option<string>("detect", "CFAR", ReadDetection)
-            {
-                Group = DetectionGroup,
-                Choices = EchoDetection.Names,
-                Range = "one of " + string.Join(", ", EchoDetection.Names),
-                Help = "Also write detections.csv, the cells of profiles, or of maps with --pulses, above a threshold "
-                    + "of constant false-alarm rate: a multiple of the mean of the cells around (ca), or of the cell "
-                    + "at three quarters of their order (os), which other targets change little. It needs "
-                    + "--noise-figure, or a scene with a Sea whose clutter is on."
-            };
+        public static readonly Option<string> Detect = NewDetect("the cells of profiles, or of maps with --pulses",
+            " It needs --noise-figure, or a scene with a Sea whose clutter is on.");
 
         /// <summary>False alarms a cell.</summary>
-        public static readonly Option<double> FalseAlarm = Needing(Detect, Options.Number("false-alarm", "RATE", "1e-6",
-            s_falseAlarm, DetectionGroup, InputKind.Any,
-            "False alarms a cell in noise. In spiky clutter there are more."));
+        public static readonly Option<double> FalseAlarm = NewFalseAlarm(Detect);
 
         /// <summary>Whether a MAT-file is written.</summary>
         public static readonly Option<bool> Matlab = Options.Switch("mat", ResultGroup,
@@ -342,6 +331,24 @@ namespace Glint.Editor
             AngularVelocity = new double3(0, math.radians(line.Get(TurnRate) ?? 0), 0)
         };
 
+        /// <summary>A new option --detect.</summary>
+        /// <param name="cells">What is detected in.</param>
+        internal static Option<string> NewDetect(string cells, string needs = "") =>
+            new Option<string>("detect", "CFAR", ReadDetection)
+            {
+                Group = DetectionGroup,
+                Choices = EchoDetection.Names,
+                Range = "one of " + string.Join(", ", EchoDetection.Names),
+                Help = $"Also write detections.csv, {cells} above a threshold of constant false-alarm rate: a multiple "
+                    + "of the mean of the cells around (ca), or of the cell at three quarters of their order (os), "
+                    + "which other targets change little." + needs
+            };
+
+        /// <summary>A new option --false-alarm.</summary>
+        internal static Option<double> NewFalseAlarm(Option detect) => Options.Needing(detect,
+            Options.Number("false-alarm", "RATE", "1e-6", s_falseAlarm, DetectionGroup, InputKind.Any,
+                "False alarms a cell in noise. In spiky clutter there are more."));
+
         static string ReadWindow(string text)
         {
             Core.Window.Named(text);
@@ -356,13 +363,7 @@ namespace Glint.Editor
         {
             (option.Group, option.Inputs) = (PulseGroup, InputKind.MeshFile);
             option.Refusal = "only for mesh files: objects of a scene have a RadarMotion or Rigidbody of their own";
-            return Needing(Pulses, option);
-        }
-
-        static Option<T> Needing<T>(Option needed, Option<T> option)
-        {
-            option.Needs = new[] { needed };
-            return option;
+            return Options.Needing(Pulses, option);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -33,6 +34,9 @@ namespace Glint
 
         [SerializeField, Tooltip("How the picture is drawn.")]
         ScreenDisplay _display = ScreenDisplay.Default;
+
+        [SerializeField, Tooltip("How ReadDetections finds targets.")]
+        ScreenDetection _detection = ScreenDetection.Default;
 
         [SerializeField, Tooltip("Colour outside of the range scale.")]
         Color _outside = new Color(0.09f, 0.1f, 0.12f);
@@ -128,6 +132,18 @@ namespace Glint
             }
         }
 
+        /// <summary>How <see cref="ReadDetections"/> finds targets.</summary>
+        /// <inheritdoc cref="Radar" path="/exception"/>
+        public ScreenDetection Detection
+        {
+            get => _detection;
+            set
+            {
+                value.Validate(Subject);
+                _detection = value;
+            }
+        }
+
         /// <summary>Packages/com.glint.radar/Shaders/Screen.compute.</summary>
         public ComputeShader Kernel { get => _kernel; set => (_kernel, _isStale) = (value, true); }
 
@@ -161,6 +177,12 @@ namespace Glint
             return levels;
         }
 
+        /// <summary>
+        /// Reads the levels of a turn and detects targets on the processor. It waits for the device: not for each frame.
+        /// </summary>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public List<ScreenDetected> ReadDetections() => _detection.Detect(Ready().Geometry, ReadLevels());
+
         /// <summary>Reads video and trail of a turn, 0 to 1, spoke by spoke. It waits for the device.</summary>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
         public float2[] ReadVideo()
@@ -187,6 +209,17 @@ namespace Glint
         /// </summary>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
         public byte[] ReadPicture() => new ScreenPicture(Ready().Geometry, View(), ReadVideo()).Draw();
+
+        /// <summary>Draws marks around detections, in the colour of bearing line and range marker.</summary>
+        /// <param name="picture">Bytes of <see cref="ReadPicture"/>, or of <see cref="Picture"/>.</param>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public void Mark(byte[] picture, IEnumerable<ScreenDetected> detections)
+        {
+            double scale = Ready().Geometry.Radar.RangeScale;
+            var view = View();
+            foreach (var detected in detections)
+                view.Mark(picture, detected.BearingDegrees / 360, detected.Range / scale);
+        }
 
         /// <summary>Advances the antenna, traces what it comes to, and draws; Unity's Update calls it.</summary>
         /// <param name="seconds">Since the frame before.</param>
@@ -240,6 +273,7 @@ namespace Glint
             _radar.Validate(Subject);
             _receiver.Validate(Subject);
             _display.Validate(Subject);
+            _detection.Validate(Subject);
             DeviceCheck.Require(_kernel, "Screen", "ScreenBeam", Subject);
             // It refuses a sea that is tilted, too.
             if (_sea != null && _sea.CurrentClutter() == null)

@@ -1,0 +1,102 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+
+namespace Glint.Core
+{
+    /// <summary>A turn of a radar screen as files have it.</summary>
+    public sealed class ScreenTurn
+    {
+        const string Bearing = "bearing_deg", Range = "range_m", Power = "power_dbw", Brightness = "video",
+            Noise = "noise_dbw", Heading = "heading_deg";
+
+        /// <summary>True bearings of the spokes in degrees.</summary>
+        public IReadOnlyList<double> Bearings { get; private set; }
+
+        /// <summary>Ranges of the middles of the cells in metres.</summary>
+        public IReadOnlyList<double> Ranges { get; private set; }
+
+        /// <summary>Powers in dBW, spoke by spoke, behind beam and pulse, before the receiver's controls.</summary>
+        public IReadOnlyList<double> Powers { get; private set; }
+
+        /// <summary>Brightness, 0 to 1, spoke by spoke.</summary>
+        public IReadOnlyList<double> Video { get; private set; }
+
+        /// <summary>Mean power of the noise in dBW.</summary>
+        public double NoiseDbw { get; private set; }
+
+        /// <summary>True heading of the own ship at the end in degrees.</summary>
+        public double HeadingDegrees { get; private set; }
+
+        /// <summary>A turn that was read from the device.</summary>
+        /// <param name="levels">dB over noise, spoke by spoke.</param>
+        /// <param name="video">The same of the brightness.</param>
+        public static ScreenTurn Of(ScreenGeometry geometry, IEnumerable<float> levels, IEnumerable<float> video,
+            double headingDegrees)
+        {
+            double noise = PowerLevel.ToDecibels(geometry.NoisePower);
+            int spokes = geometry.Radar.Spokes;
+            return new ScreenTurn
+            {
+                Bearings = Enumerable.Range(0, spokes).Select(i => 360.0 * i / spokes).ToArray(),
+                Ranges = Enumerable.Range(0, geometry.Radar.Cells).Select(i => (i + 0.5) * geometry.CellSize).ToArray(),
+                Powers = levels.Select(level => level + noise).ToArray(),
+                Video = video.Select(value => (double)value).ToArray(), NoiseDbw = noise,
+                HeadingDegrees = headingDegrees
+            };
+        }
+
+        /// <summary>Reads what <see cref="Write"/> wrote.</summary>
+        /// <exception cref="GlintException">It is not there, or damaged.</exception>
+        public static ScreenTurn Read(string path)
+        {
+            try
+            {
+                var arrays = NumpyArchive.Read(path);
+                return new ScreenTurn
+                {
+                    Bearings = arrays[Bearing], Ranges = arrays[Range], Powers = arrays[Power],
+                    Video = arrays[Brightness], NoiseDbw = arrays[Noise][0], HeadingDegrees = arrays[Heading][0]
+                };
+            }
+            catch (Exception error) when (error is IOException || error is InvalidDataException
+                || error is UnauthorizedAccessException || error is KeyNotFoundException)
+            {
+                throw new GlintException($"{path}: cannot be read as a turn: {error.Message.TrimEnd('.')}; run glint ppi "
+                    + "again", error);
+            }
+        }
+
+        /// <summary>Writes video.npz.</summary>
+        public void Write(Stream output)
+        {
+            int[] one = { 1 }, spokes = { Bearings.Count }, cells = { Ranges.Count }, both = { Bearings.Count, Ranges.Count };
+            using (var arrays = new NumpyArchive(output))
+            {
+                arrays.Add(Bearing, spokes, Bearings);
+                arrays.Add(Range, cells, Ranges);
+                arrays.Add(Power, both, Powers);
+                arrays.Add(Brightness, both, Video);
+                arrays.Add(Noise, one, new[] { NoiseDbw });
+                arrays.Add(Heading, one, new[] { HeadingDegrees });
+            }
+        }
+
+        /// <summary>Writes video.csv: a line for each cell, of hundredths of a decibel.</summary>
+        public void WriteTable(Stream output)
+        {
+            string[] ranges = Ranges.Select(Numbers.Format).ToArray();
+            using (var text = new StreamWriter(output, new UTF8Encoding(false), 1 << 16, true) { NewLine = "\n" })
+            {
+                text.WriteLine($"{Bearing},{Range},{Power},{Brightness}");
+                for (int i = 0; i < Powers.Count; i++)
+                    text.WriteLine($"{Numbers.Format(Bearings[i / ranges.Length])},{ranges[i % ranges.Length]},"
+                        + $"{Powers[i].ToString("0.00", CultureInfo.InvariantCulture)},"
+                        + Video[i].ToString("0.####", CultureInfo.InvariantCulture));
+            }
+        }
+    }
+}
