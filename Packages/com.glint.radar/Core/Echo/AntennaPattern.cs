@@ -27,8 +27,8 @@ namespace Glint.Core
         /// <exception cref="GlintException">The width is out of its range.</exception>
         public static AntennaPattern Gaussian(double beamWidthDegrees)
         {
-            double width = Checked(beamWidthDegrees);
-            return new AntennaPattern(beamWidthDegrees, angle => GaussianField(angle / width));
+            double exponent = GaussianExponent(beamWidthDegrees);
+            return new AntennaPattern(beamWidthDegrees, angle => GaussianField(exponent, angle));
         }
 
         /// <summary>A line or rectangle of constant field: sin(x) / x, sidelobes of -13 dB, 0 behind it.</summary>
@@ -52,14 +52,14 @@ namespace Glint.Core
         /// <exception cref="GlintException">An angle is out of its range.</exception>
         public static AntennaPattern CosecantSquared(double beamWidthDegrees, double fromDegrees, double toDegrees)
         {
-            double width = Checked(beamWidthDegrees), side = Math.Sign(fromDegrees),
+            double exponent = GaussianExponent(beamWidthDegrees), side = Math.Sign(fromDegrees),
                 from = Radians(side * fromDegrees), to = Radians(side * toDegrees);
             Require.Within("antenna", "end of the cosecant's angles", toDegrees, "degrees", Interval.Closed(-179, 179));
             if (!(from > 0 && to > from))
                 throw new GlintException($"antenna: the cosecant's angles from {RadarSettings.Text(fromDegrees)} to "
                     + $"{RadarSettings.Text(toDegrees)} degrees must lead away from 0 on one side");
-            double scale = GaussianField(from / width) * Math.Sin(from);
-            return new AntennaPattern(beamWidthDegrees, angle => side * angle <= from ? GaussianField(angle / width)
+            double scale = GaussianField(exponent, from) * Math.Sin(from);
+            return new AntennaPattern(beamWidthDegrees, angle => side * angle <= from ? GaussianField(exponent, angle)
                 : side * angle <= to ? scale / Math.Sin(side * angle) : 0);
         }
 
@@ -86,8 +86,18 @@ namespace Glint.Core
         /// <summary>The field at an angle, radians, any number of turns.</summary>
         public Complex Field(double angle) => _field(Math.IEEERemainder(angle, 2 * Math.PI));
 
-        // The power is 1/2 at half the width: exp(-4 ln 2 (angle / width)^2).
-        static double GaussianField(double widths) => Math.Exp(-2 * Math.Log(2) * widths * widths);
+        /// <summary>
+        /// The field of a Gaussian beam falls with exp(-this angle^2), the angle in radians: the power is 1/2 at half the
+        /// width.
+        /// </summary>
+        /// <exception cref="GlintException">The width is out of its range.</exception>
+        public static double GaussianExponent(double beamWidthDegrees)
+        {
+            double width = Checked(beamWidthDegrees);
+            return 2 * Math.Log(2) / (width * width);
+        }
+
+        static double GaussianField(double exponent, double angle) => Math.Exp(-exponent * angle * angle);
 
         static Complex Interpolate(double[] angles, Complex[] fields, double angle)
         {

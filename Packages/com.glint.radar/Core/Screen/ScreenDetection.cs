@@ -15,10 +15,10 @@ namespace Glint.Core
         const int Reference = 16;
 
         /// <summary>The numbers.</summary>
-        public static readonly IReadOnlyList<Measure> Measures = new[]
+        public static readonly IReadOnlyList<Measure> Measures = new MeasureList<ScreenDetection>
         {
-            new Measure(nameof(FalseAlarmRate), it => ((ScreenDetection)it).FalseAlarmRate, "False Alarm Rate", "",
-                Interval.Closed(1e-12, 0.5), "False alarms a cell in noise. In spiky clutter there are more.")
+            { nameof(FalseAlarmRate), it => it.FalseAlarmRate, "False Alarm Rate", "",
+                Interval.Closed(1e-12, 0.5), "False alarms a cell in noise. In spiky clutter there are more." }
         };
 
         /// <summary>What is taken for the level of noise and clutter.</summary>

@@ -165,13 +165,12 @@ namespace Glint.Core
             return new ScreenView
             {
                 Side = display.Side, Up = up - Math.Floor(up), Front = (int)(front & (spokes - 1)),
-                FadeASpoke = new double2(PerSpoke(receiver.PersistenceTurns), PerSpoke(receiver.TrailTurns)),
+                FadeASpoke = receiver.FadeATurn / spokes,
                 RingSpacing = display.RangeRings > 0 ? half / display.RangeRings : 0,
                 HeadingLine = Line(display.HasHeadingLine, headingTurns),
                 BearingLine = Line(display.HasBearingLine, display.BearingLine / 360),
                 Marker = display.RangeMarker / geometry.Radar.RangeScale * half, Colours = colours
             };
-            double PerSpoke(double turns) => turns > 0 ? 1 / (turns * spokes) : 0;
         }
     }
 

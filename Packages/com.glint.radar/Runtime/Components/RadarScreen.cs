@@ -153,9 +153,6 @@ namespace Glint
         /// <summary>True bearing of the antenna in degrees from 0 to 360, clockwise from north.</summary>
         public double AntennaDegrees => 360 * (_turns - Math.Floor(_turns));
 
-        /// <summary>Whole turns of the antenna past north since the start, as the noise counts them.</summary>
-        public int Turn => (int)Math.Floor(_turns);
-
         /// <summary>True heading of the own ship in degrees from 0 to 360.</summary>
         public double HeadingDegrees => 360 * (_headingTurns - Math.Floor(_headingTurns));
 
@@ -357,7 +354,7 @@ namespace Glint
                 NorthTurns() - Compass.TurnsOf(_sea.transform.forward));
         }
 
-        // Positions of the world, with north as +Z and the sea at 0.
+        // Those in the spokes of the frame, with positions of the world, north as +Z and the sea at 0.
         int GatherPoints()
         {
             var reflectors = RadarReflector.Enabled;
@@ -368,10 +365,14 @@ namespace Glint
             double3 FromWorld(Vector3 position) => new double3(position.x * cosine - position.z * sine,
                 position.y - seaLevel, position.x * sine + position.z * cosine);
             var antenna = FromWorld(transform.position);
+            int count = 0;
             for (int i = 0; i < reflectors.Count; i++)
-                _points[i] = _tracer.Geometry.PointOf(FromWorld(reflectors[i].transform.position), antenna,
-                    reflectors[i].CrossSection);
-            return reflectors.Count;
+            {
+                var position = FromWorld(reflectors[i].transform.position);
+                if (_tracer.IsTraced(_tracer.Geometry.SpokeOf(position - antenna)))
+                    _points[count++] = _tracer.Geometry.PointOf(position, antenna, reflectors[i].CrossSection);
+            }
+            return count;
         }
 
         double Heading() => Compass.TurnsOf((_ownShip == null ? transform : _ownShip).forward) - NorthTurns();
