@@ -122,9 +122,9 @@ namespace Glint.Tests
             _screen.Mark(marked, new[] { strongest });
             var changed = Enumerable.Range(0, 128 * 128).Where(pixel => plain[4 * pixel] != marked[4 * pixel]
                 || plain[4 * pixel + 2] != marked[4 * pixel + 2]).ToArray();
-            Assert.That(changed, Has.Length.EqualTo(24), "the frame of 7 x 7 pixels");
-            Assert.That(changed.Average(pixel => pixel % 128), Is.EqualTo(63.5 + 3000 * scale).Within(1.5));
-            Assert.That(changed.Average(pixel => pixel / 128), Is.EqualTo(63.5 + 4000 * scale).Within(1.5));
+            Assert.That(changed, Has.Length.EqualTo(1));
+            Assert.That(changed[0] % 128, Is.EqualTo(63.5 + 3000 * scale).Within(1.5));
+            Assert.That(changed[0] / 128, Is.EqualTo(63.5 + 4000 * scale).Within(1.5));
         }
 
         [Test]

@@ -52,10 +52,8 @@ namespace Glint.Core
             FolderSuffix = "-clutter"
         };
 
-        /// <summary>
-        /// The turn of a radar screen, by whose video the folder is known; rows are detections, if they are asked for.
-        /// </summary>
-        public static readonly ResultTable Screen = new ResultTable("ppi", "video.npz", ScreenColumn.All)
+        /// <summary>The turn of a radar screen, by whose video the folder is known. It has no rows.</summary>
+        public static readonly ResultTable Screen = new ResultTable("ppi", "video.npz", Array.Empty<ResultColumn>())
         {
             FolderSuffix = "-ppi"
         };

@@ -291,8 +291,7 @@ namespace Glint.Core
             return isOlder ? 0 : Math.Min(same, csv.Length);
         }
 
-        /// <summary>The heading of columns, and the lines of rows.</summary>
-        public static string Csv(IReadOnlyList<ResultColumn> columns, IEnumerable<StoredRow> rows = null) =>
+        static string Csv(IReadOnlyList<ResultColumn> columns, IEnumerable<StoredRow> rows = null) =>
             string.Join(",", columns.Select(column => column.Name)) + "\n"
             + string.Concat((rows ?? Enumerable.Empty<StoredRow>()).Select(row => row.ToCsv(columns)));
 

@@ -29,12 +29,6 @@ namespace Glint.Core
         {
         }
 
-        /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        public StoredRow(ScreenDetected row) : this(ResultTable.Screen, row,
-            FormattableString.Invariant($"bearing {row.BearingDegrees} deg, range {row.Range} m"))
-        {
-        }
-
         StoredRow(ResultTable table, object row, string where) =>
             _values = table.Columns.Select(column => column.Value(row, where)).ToArray();
 

@@ -47,6 +47,7 @@ namespace Glint.Core
             var cfar = new Cfar(Level, FalseAlarmRate, Reference, geometry.Pulse.Length);
             return cfar.Detect(power, cells).Select(index => new ScreenDetected
             {
+                Index = index,
                 BearingDegrees = 360.0 * (index / cells) / geometry.Radar.Spokes,
                 Range = (index % cells + 0.5) * geometry.CellSize, LevelDb = levels[index],
                 OverThresholdDb = levels[index] - PowerLevel.ToDecibels(cfar.Threshold(power, cells, index))
@@ -57,6 +58,9 @@ namespace Glint.Core
     /// <summary>A cell of a turn above the threshold.</summary>
     public struct ScreenDetected
     {
+        /// <summary>Place in the turn, spoke by spoke.</summary>
+        public int Index;
+
         /// <summary>True bearing of the spoke, degrees from north, clockwise.</summary>
         public double BearingDegrees;
 

@@ -104,9 +104,6 @@ namespace Glint.Core
     /// <summary>What a picture shows, in pixels and turns.</summary>
     public struct ScreenView
     {
-        // Pixels of a mark on each side of its middle.
-        const int HalfMark = 3;
-
         /// <summary>Pixels along a side.</summary>
         public int Side;
 
@@ -134,23 +131,18 @@ namespace Glint.Core
         /// <summary>The colours.</summary>
         public ScreenColours Colours;
 
-        /// <summary>Draws the frame of a square around a place.</summary>
+        /// <summary>Colours the pixel of a place.</summary>
         /// <param name="pixels">Of <see cref="ScreenPicture.Draw"/>.</param>
         /// <param name="turns">True bearing.</param>
         /// <param name="range">As a part of the range scale, 0 to 1.</param>
         public void Mark(byte[] pixels, double turns, double range)
         {
             double angle = 2 * Math.PI * (turns - Up), half = Side / 2.0;
-            int left = (int)Math.Floor(half + half * range * Math.Sin(angle)),
-                bottom = (int)Math.Floor(half + half * range * Math.Cos(angle));
-            for (int y = -HalfMark; y <= HalfMark; y++)
-                for (int x = -HalfMark; x <= HalfMark; x++)
-                    if (Math.Max(Math.Abs(x), Math.Abs(y)) == HalfMark && IsInside(left + x) && IsInside(bottom + y))
-                        for (int i = 0; i < 3; i++)
-                            pixels[4 * ((bottom + y) * Side + left + x) + i] = (byte)Math.Round(255 * Colours.Marker[i]);
+            int x = Math.Min(Side - 1, (int)(half + half * range * Math.Sin(angle))),
+                y = Math.Min(Side - 1, (int)(half + half * range * Math.Cos(angle)));
+            for (int i = 0; i < 3; i++)
+                pixels[4 * (y * Side + x) + i] = (byte)Math.Round(255 * Colours.Marker[i]);
         }
-
-        bool IsInside(int pixel) => pixel >= 0 && pixel < Side;
 
         /// <summary>The view of a display.</summary>
         /// <param name="headingTurns">Of the own ship, from north.</param>

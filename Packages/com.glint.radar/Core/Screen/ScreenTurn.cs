@@ -11,7 +11,7 @@ namespace Glint.Core
     public sealed class ScreenTurn
     {
         const string Bearing = "bearing_deg", Range = "range_m", Power = "power_dbw", Brightness = "video",
-            Noise = "noise_dbw", Heading = "heading_deg";
+            Noise = "noise_dbw", Heading = "heading_deg", Detected = "detected", Excess = "over_threshold_db";
 
         /// <summary>True bearings of the spokes in degrees.</summary>
         public IReadOnlyList<double> Bearings { get; private set; }
@@ -25,6 +25,12 @@ namespace Glint.Core
         /// <summary>Brightness, 0 to 1, spoke by spoke.</summary>
         public IReadOnlyList<double> Video { get; private set; }
 
+        /// <summary>
+        /// Detections, in order: places among <see cref="Powers"/>, and decibels over their thresholds; null if none were
+        /// asked for.
+        /// </summary>
+        public IReadOnlyList<(int index, double overThreshold)> Detections { get; private set; }
+
         /// <summary>Mean power of the noise in dBW.</summary>
         public double NoiseDbw { get; private set; }
 
@@ -34,8 +40,9 @@ namespace Glint.Core
         /// <summary>A turn that was read from the device.</summary>
         /// <param name="levels">dB over noise, spoke by spoke.</param>
         /// <param name="video">The same of the brightness.</param>
+        /// <param name="detected">Null if no detections were asked for.</param>
         public static ScreenTurn Of(ScreenGeometry geometry, IEnumerable<float> levels, IEnumerable<float> video,
-            double headingDegrees)
+            IEnumerable<ScreenDetected> detected, double headingDegrees)
         {
             double noise = PowerLevel.ToDecibels(geometry.NoisePower);
             int spokes = geometry.Radar.Spokes;
@@ -45,6 +52,7 @@ namespace Glint.Core
                 Ranges = Enumerable.Range(0, geometry.Radar.Cells).Select(i => (i + 0.5) * geometry.CellSize).ToArray(),
                 Powers = levels.Select(level => level + noise).ToArray(),
                 Video = video.Select(value => (double)value).ToArray(), NoiseDbw = noise,
+                Detections = detected?.Select(each => (each.Index, each.OverThresholdDb)).ToArray(),
                 HeadingDegrees = headingDegrees
             };
         }
@@ -59,7 +67,11 @@ namespace Glint.Core
                 return new ScreenTurn
                 {
                     Bearings = arrays[Bearing], Ranges = arrays[Range], Powers = arrays[Power],
-                    Video = arrays[Brightness], NoiseDbw = arrays[Noise][0], HeadingDegrees = arrays[Heading][0]
+                    Video = arrays[Brightness],
+                    Detections = arrays.ContainsKey(Detected)
+                        ? arrays[Detected].Zip(arrays[Excess], (index, excess) => ((int)index, excess)).ToArray()
+                        : null,
+                    NoiseDbw = arrays[Noise][0], HeadingDegrees = arrays[Heading][0]
                 };
             }
             catch (Exception error) when (error is IOException || error is InvalidDataException
@@ -82,20 +94,36 @@ namespace Glint.Core
                 arrays.Add(Brightness, both, Video);
                 arrays.Add(Noise, one, new[] { NoiseDbw });
                 arrays.Add(Heading, one, new[] { HeadingDegrees });
+                if (Detections == null)
+                    return;
+                int[] detections = { Detections.Count };
+                arrays.Add(Detected, detections, Detections.Select(each => (double)each.index));
+                arrays.Add(Excess, detections, Detections.Select(each => each.overThreshold));
             }
         }
 
-        /// <summary>Writes video.csv: a line for each cell, of hundredths of a decibel.</summary>
-        public void WriteTable(Stream output)
+        /// <summary>Writes video.csv: a line for each cell.</summary>
+        public void WriteTable(Stream output) => WriteLines(output, $"{Bearing},{Range},{Power},{Brightness}",
+            Enumerable.Range(0, Powers.Count).Select(i => $"{PlaceOf(i)},{Decibels(Powers[i])},"
+                + Video[i].ToString("0.####", CultureInfo.InvariantCulture)));
+
+        /// <summary>Writes detections.csv: a line for each detection.</summary>
+        public void WriteDetections(Stream output) => WriteLines(output, $"{Bearing},{Range},level_db,{Excess}",
+            Detections.Select(each => $"{PlaceOf(each.index)},{Decibels(Powers[each.index] - NoiseDbw)},"
+                + Decibels(each.overThreshold)));
+
+        string PlaceOf(int index) => $"{Numbers.Format(Bearings[index / Ranges.Count])},"
+            + Numbers.Format(Ranges[index % Ranges.Count]);
+
+        static string Decibels(double level) => level.ToString("0.00", CultureInfo.InvariantCulture);
+
+        static void WriteLines(Stream output, string header, IEnumerable<string> lines)
         {
-            string[] ranges = Ranges.Select(Numbers.Format).ToArray();
             using (var text = new StreamWriter(output, new UTF8Encoding(false), 1 << 16, true) { NewLine = "\n" })
             {
-                text.WriteLine($"{Bearing},{Range},{Power},{Brightness}");
-                for (int i = 0; i < Powers.Count; i++)
-                    text.WriteLine($"{Numbers.Format(Bearings[i / ranges.Length])},{ranges[i % ranges.Length]},"
-                        + $"{Powers[i].ToString("0.00", CultureInfo.InvariantCulture)},"
-                        + Video[i].ToString("0.####", CultureInfo.InvariantCulture));
+                text.WriteLine(header);
+                foreach (string line in lines)
+                    text.WriteLine(line);
             }
         }
     }

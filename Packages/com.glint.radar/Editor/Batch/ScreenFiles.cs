@@ -31,15 +31,13 @@ namespace Glint.Editor
             var detected = _line.IsGiven(ScreenOptions.Detect) ? _screen.ReadDetections() : null;
             Write(PictureName, file => WritePicture(file, detected));
             var turn = ScreenTurn.Of(_screen.Geometry, _screen.ReadLevels(), _screen.ReadVideo().Select(video => video.x),
-                _screen.HeadingDegrees);
+                detected, _screen.HeadingDegrees);
             Write(ResultTable.Screen.CsvName, turn.Write);
             if (_line.Get(ScreenOptions.Table))
                 Write(TableName, turn.WriteTable);
-            var rows = detected?.Select(each => new StoredRow(each)).ToArray();
-            if (rows != null)
-                Write(DetectionsName, file => WriteText(file, text => text.Write(ResultsFolder.Csv(ScreenColumn.All, rows))));
-            Write(ResultsFolder.JsonName, file => WriteText(file, text => ResultsJson.Write(text, Describe(),
-                rows ?? Array.Empty<StoredRow>(), ResultTable.Screen)));
+            if (detected != null)
+                Write(DetectionsName, turn.WriteDetections);
+            Write(ResultsFolder.JsonName, WriteDescription);
             return _paths;
         }
 
@@ -51,10 +49,10 @@ namespace Glint.Editor
             _paths.Add(path);
         }
 
-        static void WriteText(Stream file, Action<TextWriter> write)
+        void WriteDescription(Stream file)
         {
             using (var text = new StreamWriter(file, new UTF8Encoding(false)))
-                write(text);
+                ResultsJson.Write(text, Describe(), Array.Empty<StoredRow>(), ResultTable.Screen);
         }
 
         void WritePicture(Stream file, IEnumerable<ScreenDetected> detected)

@@ -45,7 +45,7 @@ namespace Glint.Editor
 
         /// <summary>How targets are detected; null when not given.</summary>
         public static readonly Option<string> Detect = EchoOptions.NewDetect(
-            "the cells of the last turn, along the range of each spoke,", " Marks in the picture show them.");
+            "the cells of the last turn, along the range of each spoke,", " The picture shows them.");
 
         /// <summary>False alarms a cell.</summary>
         public static readonly Option<double> FalseAlarm = EchoOptions.NewFalseAlarm(Detect);

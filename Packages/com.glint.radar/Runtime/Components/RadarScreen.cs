@@ -207,7 +207,7 @@ namespace Glint
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
         public byte[] ReadPicture() => new ScreenPicture(Ready().Geometry, View(), ReadVideo()).Draw();
 
-        /// <summary>Draws marks around detections, in the colour of bearing line and range marker.</summary>
+        /// <summary>Colours the pixels of detections as bearing line and range marker.</summary>
         /// <param name="picture">Bytes of <see cref="ReadPicture"/>, or of <see cref="Picture"/>.</param>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
         public void Mark(byte[] picture, IEnumerable<ScreenDetected> detections)
