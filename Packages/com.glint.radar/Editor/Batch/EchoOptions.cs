@@ -110,10 +110,10 @@ namespace Glint.Editor
                 Group = RadarGroup,
                 Choices = EchoAntenna.Names,
                 Range = string.Join(", ", EchoAntenna.Names) + " or a file",
-                Help = "Pattern of the antenna: gaussian, sinc (sidelobes of -13 dB), csc2 (in elevation), or a file "
-                    + $"whose first line is {EchoAntenna.TableHeader}, with levels over the gain. The whole target has "
-                    + "the gain of the phase centre: it may take a tenth of the beam. Without it: the same gain "
-                    + "everywhere."
+                Help = "Pattern of the antenna: gaussian, sinc (sidelobes of -13 dB), csc2 (in elevation), or a CSV "
+                    + "file with the columns angle_deg, azimuth_db and elevation_db, levels over the gain. The whole "
+                    + "target has the gain of the phase centre: it may take a tenth of the beam. Without it: the same "
+                    + "gain everywhere."
             });
 
         /// <summary>Beam widths in azimuth and elevation, degrees; null when not given.</summary>

@@ -19,14 +19,14 @@ namespace Glint.Editor
         {
             var run = StoredRun.ReadAny(line.Input);
             int pose = line.Get(ReportOptions.Pose);
+            bool hasPoses = run.Table != ResultTable.Clutter && run.Table != ResultTable.Screen;
+            if (!hasPoses && line.IsGiven(ReportOptions.Pose) && pose != ReportOptions.NoPose)
+                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: a report of glint {run.Table.Name} shows no "
+                    + "pose: leave it out");
             int poses = run.Table == ResultTable.Echo ? EchoProfiles.DirectionsOf(run.Info) : run.Count;
             if (pose > poses)
                 throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {poses}, "
                     + $"the rows of {line.Input}, or none");
-            bool hasPoses = run.Table != ResultTable.Clutter && run.Table != ResultTable.Screen;
-            if (!hasPoses && line.IsGiven(ReportOptions.Pose) && pose != ReportOptions.NoPose)
-                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: a report of sea clutter or of a radar screen "
-                    + "shows no pose: leave it out");
             string path = line.IsGiven(ReportOptions.Out)
                 ? line.Get(ReportOptions.Out)
                 : Path.Combine(line.Input, ReportFile.Name);

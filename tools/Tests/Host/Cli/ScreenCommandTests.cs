@@ -95,6 +95,39 @@ public sealed class ScreenCommandTests
         Assert.That((double)run["settings"]["range_scale"]["value"], Is.EqualTo(1000));
     }
 
+    /// <summary>The report has the turn in bytes: 0.5 dB over noise from -20 dB on, and video; and the detections.</summary>
+    [Test]
+    public void Report_HasTheTurn()
+    {
+        Run("--turns", "1", "--fps", "5", "--detect", "os");
+        var (code, _, error) = TestShell.Run("report", _folder);
+        Assert.That(code, Is.Zero, error);
+        string page = File.ReadAllText(Path.Combine(_folder, "report.html"));
+        const string start = "<script type=\"application/json\" id=\"data\">";
+        int from = page.IndexOf(start) + start.Length;
+        var data = JObject.Parse(page[from..page.IndexOf("</script>", from)]);
+        Assert.That((string)data["run"]["table"], Is.EqualTo("ppi"));
+        var screen = data["screen"];
+        Assert.That(((int)screen["spokes"], (int)screen["cells"]), Is.EqualTo((1024, 100)));
+        string arrays = Path.Combine(_folder, "video.npz");
+        double[] power = NumpyReader.Read(arrays, "power_dbw").Numbers, video = NumpyReader.Read(arrays, "video").Numbers,
+            detected = NumpyReader.Read(arrays, "detected").Numbers;
+        double noise = NumpyReader.Read(arrays, "noise_dbw").Numbers[0];
+        byte[] levels = Convert.FromBase64String((string)screen["levels"]),
+            shown = Convert.FromBase64String((string)screen["video"]),
+            marks = Convert.FromBase64String((string)screen["detections"]);
+        for (int i = 0; i < power.Length; i += 7)
+        {
+            Assert.That(-20 + 0.5 * levels[i], Is.EqualTo(Math.Max(-20, power[i] - noise)).Within(0.2501));
+            Assert.That(shown[i] / 255.0, Is.EqualTo(video[i]).Within(0.5001 / 255));
+        }
+        Assert.That(Enumerable.Range(0, marks.Length / 4).Select(i => (double)BitConverter.ToInt32(marks, 4 * i)),
+            Is.EqualTo(detected));
+        (code, _, error) = TestShell.Run("report", _folder, "--pose", "1");
+        Assert.That((code, error.Trim()),
+            Is.EqualTo((1, "glint: --pose 1: a report of glint ppi shows no pose: leave it out")));
+    }
+
     double[][] Table(string name, string header)
     {
         string[] lines = File.ReadAllLines(Path.Combine(_folder, name));
