@@ -40,7 +40,7 @@ namespace Glint.Tests
                 double waves = SeaFactor.Detour(AntennaHeight, height, miles * 1852) / Wavelength;
                 string text = FormattableString.Invariant($"{name}: {s_targets[i].section:0.#} m2, {Level(i):0.0} dB over noise")
                     + (reflection == 0 ? "" : FormattableString.Invariant(
-                        $", detour {waves:0.00} wavelengths, {Factor(waves):0.0} dB by the sea, {Place(waves)}"))
+                        $", detour {waves:0.00} wavelengths, {Factor(waves):0.0} dB by the sea, {NullOf(waves)}"))
                     + $": {seen[i]} of {Scans} scans";
                 TestContext.WriteLine(text);
                 Assert.That(seen[i], Is.GreaterThanOrEqualTo(Needed), text);
@@ -73,7 +73,7 @@ namespace Glint.Tests
         static double Shore(double height, double miles) => 0.1 * height * miles * 1852 * math.radians(1.2);
 
         // Nulls are at whole wavelengths.
-        static string Place(double waves) => Factor(waves) < -10
+        static string NullOf(double waves) => Factor(waves) < -10
             ? $"in null {Math.Round(waves)}"
             : $"{Math.Abs(waves - Math.Round(waves)):0.00} wavelengths from null {Math.Round(waves)}";
 

@@ -106,8 +106,8 @@ namespace Glint.Core
         /// </summary>
         public double RainAmplitude { get; }
 
-        /// <summary>The spoke of a way, metres: x to the east, z to the north.</summary>
-        public int SpokeOf(double3 way) => SpokeOf(Math.Atan2(way.x, way.z) / (2 * Math.PI));
+        /// <summary>The spoke of an offset from the antenna, metres: x to the east, z to the north.</summary>
+        public int SpokeOf(double3 offset) => SpokeOf(Math.Atan2(offset.x, offset.z) / (2 * Math.PI));
 
         /// <summary>The spoke of a bearing.</summary>
         /// <param name="turns">From north, any number of turns.</param>

@@ -109,7 +109,6 @@ namespace Glint.Editor
             {
                 Group = RadarGroup,
                 Choices = EchoAntenna.Names,
-                Range = string.Join(", ", EchoAntenna.Names) + " or a file",
                 Help = "Pattern of the antenna: gaussian, sinc (sidelobes of -13 dB), csc2 (in elevation), or a CSV "
                     + "file with the columns angle_deg, azimuth_db and elevation_db, levels over the gain. The whole "
                     + "target has the gain of the phase centre: it may take a tenth of the beam. Without it: the same "

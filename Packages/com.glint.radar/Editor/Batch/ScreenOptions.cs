@@ -55,7 +55,7 @@ namespace Glint.Editor
             "Also write video.csv, a line for each cell of the last turn: bearing, range, power and video.");
 
         /// <summary>All options, in the order of the help.</summary>
-        public static readonly Option[] All = 
+        public static readonly Option[] All =
         {
             Turns, FrameRate, Time, Detect, FalseAlarm, Out, Table, Asterix, Udp, Ttl, Options.Device
         };

@@ -99,12 +99,14 @@ namespace Glint
             }
             catch (GlintException problem)
             {
-                OnDisable();
+                Close();
                 Debug.LogError($"RadarVideoSender of '{name}': {problem.Message}", this);
             }
         }
 
-        void OnDisable()
+        void OnDisable() => Close();
+
+        void Close()
         {
             _sender?.Dispose();
             _sender = null;
