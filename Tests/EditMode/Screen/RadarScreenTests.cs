@@ -105,6 +105,28 @@ namespace Glint.Tests
             Assert.That(pixels.Where((_, i) => i % 4 == 0).Max(), Is.GreaterThan(150), "an echo");
         }
 
+        // 5 km away to the north-east, at 0.6 of the range scale.
+        [Test]
+        public void Detections_AreMarkedInThePicture()
+        {
+            var radar = ScreenBench.Small();
+            radar.RangeScale = 5000 / 0.6;
+            _screen.Radar = radar;
+            Reflector(new Vector3(3000, 15, 4000), 1e4);
+            TurnOnce();
+            var strongest = _screen.ReadDetections().OrderByDescending(each => each.OverThresholdDb).First();
+            double scale = 64 / radar.RangeScale;
+            Assert.That(strongest.Range * scale * Math.Sin(strongest.BearingDegrees * Math.PI / 180),
+                Is.EqualTo(3000 * scale).Within(1));
+            byte[] plain = _screen.ReadPicture(), marked = _screen.ReadPicture();
+            _screen.Mark(marked, new[] { strongest });
+            var changed = Enumerable.Range(0, 128 * 128).Where(pixel => plain[4 * pixel] != marked[4 * pixel]
+                || plain[4 * pixel + 2] != marked[4 * pixel + 2]).ToArray();
+            Assert.That(changed, Has.Length.EqualTo(1));
+            Assert.That(changed[0] % 128, Is.EqualTo(63.5 + 3000 * scale).Within(1.5));
+            Assert.That(changed[0] / 128, Is.EqualTo(63.5 + 4000 * scale).Within(1.5));
+        }
+
         [Test]
         public void Picture_StaysTheSameObject_UntilItsSizeChanges()
         {

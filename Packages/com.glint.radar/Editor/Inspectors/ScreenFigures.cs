@@ -26,6 +26,13 @@ namespace Glint.Editor
             .Append((nameof(ScreenDisplay.HasBearingLine), "Show Bearing Line",
                 "Draws the electronic bearing line.")).ToArray();
 
+        /// <summary>The same of <see cref="ScreenDetection"/>.</summary>
+        public static readonly (string field, string label, string tooltip)[] Detection = ScreenDetection.Measures
+            .Select(measure => measure.Row)
+            .Prepend((nameof(ScreenDetection.Level), "Level",
+                "Level of noise and clutter: the mean of the cells around, or the one at three quarters of their order."))
+            .ToArray();
+
         /// <summary>Why the screen cannot turn; null if it can.</summary>
         public static Finding Check(RadarScreen screen) => Finding.Of(screen.Check);
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -33,6 +34,9 @@ namespace Glint
 
         [SerializeField, Tooltip("How the picture is drawn.")]
         ScreenDisplay _display = ScreenDisplay.Default;
+
+        [SerializeField, Tooltip("How ReadDetections finds targets.")]
+        ScreenDetection _detection = ScreenDetection.Default;
 
         [SerializeField, Tooltip("Colour outside of the range scale.")]
         Color _outside = new Color(0.09f, 0.1f, 0.12f);
@@ -128,6 +132,18 @@ namespace Glint
             }
         }
 
+        /// <summary>How <see cref="ReadDetections"/> finds targets.</summary>
+        /// <inheritdoc cref="Radar" path="/exception"/>
+        public ScreenDetection Detection
+        {
+            get => _detection;
+            set
+            {
+                value.Validate(Subject);
+                _detection = value;
+            }
+        }
+
         /// <summary>Packages/com.glint.radar/Shaders/Screen.compute.</summary>
         public ComputeShader Kernel { get => _kernel; set => (_kernel, _isStale) = (value, true); }
 
@@ -136,9 +152,6 @@ namespace Glint
 
         /// <summary>True bearing of the antenna in degrees from 0 to 360, clockwise from north.</summary>
         public double AntennaDegrees => 360 * (_turns - Math.Floor(_turns));
-
-        /// <summary>Whole turns of the antenna past north since the start, as the noise counts them.</summary>
-        public int Turn => (int)Math.Floor(_turns);
 
         /// <summary>True heading of the own ship in degrees from 0 to 360.</summary>
         public double HeadingDegrees => 360 * (_headingTurns - Math.Floor(_headingTurns));
@@ -160,6 +173,12 @@ namespace Glint
             _tracer.Levels.ReadBack(levels, levels.Length);
             return levels;
         }
+
+        /// <summary>
+        /// Reads the levels of a turn and detects targets on the processor. It waits for the device: not for each frame.
+        /// </summary>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public List<ScreenDetected> ReadDetections() => _detection.Detect(Ready().Geometry, ReadLevels());
 
         /// <summary>Reads video and trail of a turn, 0 to 1, spoke by spoke. It waits for the device.</summary>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
@@ -187,6 +206,17 @@ namespace Glint
         /// </summary>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
         public byte[] ReadPicture() => new ScreenPicture(Ready().Geometry, View(), ReadVideo()).Draw();
+
+        /// <summary>Colours the pixels of detections as bearing line and range marker.</summary>
+        /// <param name="picture">Bytes of <see cref="ReadPicture"/>, or of <see cref="Picture"/>.</param>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public void Mark(byte[] picture, IEnumerable<ScreenDetected> detections)
+        {
+            double scale = Ready().Geometry.Radar.RangeScale;
+            var view = View();
+            foreach (var detected in detections)
+                view.Mark(picture, detected.BearingDegrees / 360, detected.Range / scale);
+        }
 
         /// <summary>Advances the antenna, traces what it comes to, and draws; Unity's Update calls it.</summary>
         /// <param name="seconds">Since the frame before.</param>
@@ -240,6 +270,7 @@ namespace Glint
             _radar.Validate(Subject);
             _receiver.Validate(Subject);
             _display.Validate(Subject);
+            _detection.Validate(Subject);
             DeviceCheck.Require(_kernel, "Screen", "ScreenBeam", Subject);
             // It refuses a sea that is tilted, too.
             if (_sea != null && _sea.CurrentClutter() == null)
@@ -323,7 +354,7 @@ namespace Glint
                 NorthTurns() - Compass.TurnsOf(_sea.transform.forward));
         }
 
-        // Positions of the world, with north as +Z and the sea at 0.
+        // Those in the spokes of the frame, with positions of the world, north as +Z and the sea at 0.
         int GatherPoints()
         {
             var reflectors = RadarReflector.Enabled;
@@ -334,10 +365,14 @@ namespace Glint
             double3 FromWorld(Vector3 position) => new double3(position.x * cosine - position.z * sine,
                 position.y - seaLevel, position.x * sine + position.z * cosine);
             var antenna = FromWorld(transform.position);
+            int count = 0;
             for (int i = 0; i < reflectors.Count; i++)
-                _points[i] = _tracer.Geometry.PointOf(FromWorld(reflectors[i].transform.position), antenna,
-                    reflectors[i].CrossSection);
-            return reflectors.Count;
+            {
+                var position = FromWorld(reflectors[i].transform.position);
+                if (_tracer.IsTraced(_tracer.Geometry.SpokeOf(position - antenna)))
+                    _points[count++] = _tracer.Geometry.PointOf(position, antenna, reflectors[i].CrossSection);
+            }
+            return count;
         }
 
         double Heading() => Compass.TurnsOf((_ownShip == null ? transform : _ownShip).forward) - NorthTurns();

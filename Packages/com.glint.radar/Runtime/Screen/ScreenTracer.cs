@@ -90,6 +90,9 @@ namespace Glint
         /// <summary>The spoke that the antenna passes next, counted from the first turn.</summary>
         public long Front => _sweep.Finished;
 
+        /// <summary>Whether the frame traces a spoke of a turn.</summary>
+        public bool IsTraced(int spoke) => Geometry.InTurn(spoke - _current.FirstTraced) < _current.Traced;
+
         /// <summary>Moves the antenna and clears the spokes that it comes to.</summary>
         /// <param name="turns">True bearing of the antenna in turns from north, counted on.</param>
         public void Begin(double turns)
@@ -99,8 +102,7 @@ namespace Glint
                 return;
             SetTraced(_shader);
             _shader.SetVector(ScreenIDs._ScreenEcho, new Vector4((float)Geometry.CellSize,
-                (float)Geometry.AmplitudeAtOne, (float)(4 * Math.Log(2)
-                / Math.Pow(math.radians(Geometry.Radar.VerticalBeamWidth), 2)), (float)Geometry.RainAmplitude));
+                (float)Geometry.AmplitudeAtOne, (float)Geometry.ElevationExponent, (float)Geometry.RainAmplitude));
             _shader.SetBuffer(_clear, ScreenIDs._Echo, Echo.Buffer);
             Dispatch(_clear, 2 * Geometry.Radar.Cells, _current.Traced);
         }
@@ -236,13 +238,11 @@ namespace Glint
             _shader.SetVector(ScreenIDs._Receiver, new Vector4((float)receiver.GainDb,
                 (float)(1 / receiver.DynamicRangeDb), (float)(receiver.SensitivityTimeRange / Geometry.CellSize),
                 (float)Math.Sqrt(Geometry.NoiseGain)));
+            double2 kept = receiver.KeptATurn;
             _shader.SetVector(ScreenIDs._ReceiverFilters, new Vector4((float)receiver.RainFilter,
-                (float)receiver.ClutterFilter, AfterATurn(receiver.PersistenceTurns), AfterATurn(receiver.TrailTurns)));
+                (float)receiver.ClutterFilter, (float)kept.x, (float)kept.y));
             _shader.SetInt(ScreenIDs._PulseCells, Geometry.Pulse.Length);
         }
-
-        // What is left after a turn.
-        static float AfterATurn(double turns) => turns > 0 ? (float)Math.Exp(-1 / turns) : 0;
 
         void Dispatch(int kernel, int across, int rows) => _shader.Dispatch(kernel, (across + Group - 1) / Group, rows, 1);
     }

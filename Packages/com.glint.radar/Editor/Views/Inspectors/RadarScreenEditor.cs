@@ -16,6 +16,7 @@ namespace Glint.Editor.Views
             inspector.Add(Parts.Struct("_radar", "Radar", ScreenFigures.Radar));
             inspector.Add(Parts.Struct("_receiver", "Receiver", ScreenFigures.Receiver));
             inspector.Add(Parts.Struct("_display", "Display", ScreenFigures.Display));
+            inspector.Add(Parts.Struct("_detection", "Detection", ScreenFigures.Detection));
             inspector.Add(Parts.Group("Colours", Parts.Field("_outside", "Outside"),
                 Parts.Field("_background", "Background"), Parts.Field("_echo", "Echo"), Parts.Field("_trail", "Trails"),
                 Parts.Field("_rings", "Range Rings"), Parts.Field("_heading", "Heading Line"),
