@@ -74,6 +74,8 @@ namespace Glint.Editor
                 frames = (int)Math.Ceiling(turns * 60 / screen.Radar.TurnsAMinute * rate) + 1;
             progress.Print(FormattableString.Invariant(
                 $"{screen.Radar.Spokes} spokes of {screen.Radar.Cells} cells of {screen.Geometry.CellSize:g4} m, noise {PowerLevel.ToDecibels(screen.Geometry.NoisePower):0.0} dBW"));
+            progress.Print(FormattableString.Invariant(
+                $"{screen.PointCount} points on meshes, {screen.PointSpacing:0.00} m apart on large ones, {screen.MeshBytes / 1e6:0.0} MB with their BVHs"));
             progress.Start(line.Input, frames);
             var watch = Stopwatch.StartNew();
             try

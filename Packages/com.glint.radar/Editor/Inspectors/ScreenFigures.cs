@@ -54,6 +54,10 @@ namespace Glint.Editor
             yield return ("10 m2 over noise", FormattableString.Invariant(
                     $"{ofOne + 10 - 40 * Math.Log10(radar.RangeScale):0.0} dB"),
                 "A reflector of 10 m2 at the edge of the picture in free space.");
+            if (screen.PointCount > 0)
+                yield return ("Meshes", FormattableString.Invariant(
+                        $"{screen.PointCount} points, {screen.PointSpacing:0.0#} m"),
+                    "Points of the meshes' surfaces that echo, and their distance on large objects.");
         }
     }
 }

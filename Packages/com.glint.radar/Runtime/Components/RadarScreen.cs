@@ -9,8 +9,8 @@ namespace Glint
 {
     /// <summary>
     /// A radar screen (PPI) that turns while the scene plays. The antenna is at this object's position and turns
-    /// clockwise; <see cref="Picture"/> is a texture for UI Toolkit, uGUI and materials. It shows each enabled
-    /// <see cref="RadarReflector"/>, the sea, rain and noise. Everything runs on the device, and the main thread never waits
+    /// clockwise; <see cref="Picture"/> is a texture for UI Toolkit, uGUI and materials. It shows the meshes of the scene,
+    /// each enabled <see cref="RadarReflector"/>, the sea, rain and noise. Everything runs on the device, and the main thread never waits
     /// for it.
     /// </summary>
     [AddComponentMenu("Glint/Radar Screen")]
@@ -25,6 +25,9 @@ namespace Glint
         [SerializeField, Tooltip("Sea around the radar, with clutter. It is endless for the screen, whatever its extent. "
             + "Empty: none.")]
         Sea _sea;
+
+        [SerializeField, Tooltip("Layers whose meshes are traced. Seas are not among them.")]
+        LayerMask _layers = ~0;
 
         [SerializeField, Tooltip("Transmitter, antenna and range cells. A change starts the picture again.")]
         ScreenRadar _radar = ScreenRadar.Default;
@@ -69,12 +72,15 @@ namespace Glint
         RenderTexture _picture;
         Compass _compass;
         ScreenSea _waves;
+        FollowedScene _scene;
+        ScreenTargets _targets;
         ScreenPoint[] _points = new ScreenPoint[16];
         Vector3 _tileMiddle;
         double _turns, _headingTurns;
         // Stale: the turn begins again. Changed: settings are checked.
         bool _isStale, _isChanged, _hasFailed;
         (Sea, ComputeShader, ComputeShader) _madeOf;
+        (int layers, Transform ownShip) _gatheredOf;
 
         /// <summary>
         /// The picture, which stays the same object until the component is destroyed or its size changes; null where
@@ -84,6 +90,20 @@ namespace Glint
 
         /// <summary>Own ship, whose forward axis is the heading; null: this object.</summary>
         public Transform OwnShip { get => _ownShip; set => _ownShip = value; }
+
+        /// <summary>Bytes on the device of the meshes, their BVHs and their points.</summary>
+        public long MeshBytes => _targets?.Bytes ?? 0;
+
+        /// <summary>Layers whose meshes are traced, except those of seas.</summary>
+        public LayerMask Layers { get => _layers; set => _layers = value; }
+
+        /// <summary>Points of the meshes' surfaces that echo; 0 before the first frame.</summary>
+        public int PointCount => _targets?.Count ?? 0;
+
+        /// <summary>
+        /// Distance of these points on large objects, metres: half a cell, or more if the points were too many.
+        /// </summary>
+        public double PointSpacing => _targets?.Spacing ?? 0;
 
         /// <summary>
         /// Sea around the radar; null: none. It is endless for the screen. A change of its settings is seen when the
@@ -161,7 +181,15 @@ namespace Glint
 
         internal ScreenTracer Tracer => _tracer;
 
+        Transform Own => _ownShip == null ? transform : _ownShip;
+
         string Subject => $"RadarScreen of '{name}'";
+
+        /// <summary>
+        /// Reads the scene's meshes again in the next frame: after new objects, and after meshes that have changed. That
+        /// objects have moved or gone is seen without it.
+        /// </summary>
+        public void GatherAgain() => _gatheredOf = default;
 
         /// <summary>
         /// Reads the levels of a turn, dB over noise, spoke by spoke. It waits for the device: not for each frame.
@@ -234,6 +262,7 @@ namespace Glint
             _turns += seconds * _radar.TurnsAMinute / 60 + Math.IEEERemainder(_headingTurns - before, 1);
             _tracer.Begin(_turns);
             AddSea();
+            AddTargets();
             int points = GatherPoints();
             _tracer.AddPoints(_points, points, _waves != null);
             _tracer.AddRain();
@@ -313,6 +342,8 @@ namespace Glint
             _turns = _headingTurns = Heading();
             _madeOf = (_sea, _kernel, _seaKernel);
             MakeSea();
+            (_scene, _targets) = (new FollowedScene(), new ScreenTargets(Subject, _tracer.Geometry));
+            GatherTargets();
             MakePicture();
         }
 
@@ -354,6 +385,33 @@ namespace Glint
                 NorthTurns() - Compass.TurnsOf(_sea.transform.forward));
         }
 
+        void GatherTargets()
+        {
+            try
+            {
+                _scene.Gather(_layers, Own);
+            }
+            catch (GlintException refusal)
+            {
+                throw new GlintException($"{Subject}: {refusal.Message}; or take its layer out of Layers", refusal);
+            }
+            _targets.SetScene(_scene.Scene, _scene.IsOwnShip);
+            foreach (string warning in _scene.Warnings)
+                Debug.LogWarning($"{Subject}: {warning}", this);
+            _gatheredOf = (_layers, Own);
+        }
+
+        void AddTargets()
+        {
+            if (_tracer.Slice.Traced == 0)
+                return;
+            if (_gatheredOf != (_layers.value, Own) || !_scene.Follow(out bool hasMoved))
+                GatherTargets();
+            else if (hasMoved)
+                _targets.Move();
+            _tracer.AddTargets(_targets, (float3)transform.position, SeaLevel, NorthTurns(), _waves != null);
+        }
+
         // Those in the spokes of the frame, with positions of the world, north as +Z and the sea at 0.
         int GatherPoints()
         {
@@ -361,7 +419,7 @@ namespace Glint
             if (_points.Length < reflectors.Count)
                 _points = new ScreenPoint[2 * reflectors.Count];
             double north = NorthTurns() * 2 * Math.PI, cosine = Math.Cos(north), sine = Math.Sin(north),
-                seaLevel = _sea == null ? 0 : _sea.transform.position.y;
+                seaLevel = SeaLevel;
             double3 FromWorld(Vector3 position) => new double3(position.x * cosine - position.z * sine,
                 position.y - seaLevel, position.x * sine + position.z * cosine);
             var antenna = FromWorld(transform.position);
@@ -375,7 +433,9 @@ namespace Glint
             return count;
         }
 
-        double Heading() => Compass.TurnsOf((_ownShip == null ? transform : _ownShip).forward) - NorthTurns();
+        double SeaLevel => _sea == null ? 0 : _sea.transform.position.y;
+
+        double Heading() => Compass.TurnsOf(Own.forward) - NorthTurns();
 
         double NorthTurns() => _compass == null ? 0 : _compass.NorthTurns;
 
@@ -415,8 +475,9 @@ namespace Glint
         void Release()
         {
             _waves?.Dispose();
+            _targets?.Dispose();
             _tracer?.Dispose();
-            (_waves, _tracer) = (null, null);
+            (_waves, _targets, _tracer) = (null, null, null);
         }
     }
 }

@@ -11,8 +11,8 @@ namespace Glint
     /// allocates nothing a frame, and knows no GameObjects.
     /// </summary>
     /// <remarks>
-    /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddSea"/>, <see cref="AddPoints"/>,
-    /// <see cref="AddRain"/>, any kernel that adds to <see cref="Echo"/> in the spokes of the slice), then
+    /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddSea"/>, <see cref="AddTargets"/>,
+    /// <see cref="AddPoints"/>, <see cref="AddRain"/>, any kernel that adds to <see cref="Echo"/> in the spokes of the slice), then
     /// <see cref="Finish"/> and <see cref="Draw"/>.
     /// </remarks>
     sealed class ScreenTracer : IDisposable
@@ -20,7 +20,7 @@ namespace Glint
         const int Group = 64, PictureGroup = 8;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _points, _pointsOverSea, _sea, _rain, _beam, _level, _video, _picture;
+        readonly int _clear, _points, _pointsOverSea, _targets, _targetsOverSea, _sea, _rain, _beam, _level, _video, _picture;
         readonly ScreenSweep _sweep;
         readonly int[] _size = new int[4], _slice = new int[4];
         readonly Vector4[] _colours = new Vector4[7];
@@ -44,6 +44,9 @@ namespace Glint
             _clear = shader.FindKernel("ScreenClear");
             _points = shader.FindKernel("ScreenPoints");
             _pointsOverSea = shader.FindKernel("ScreenPointsOverSea");
+            _targets = shader.FindKernel("ScreenTargets");
+            _targetsOverSea = shader.FindKernel("ScreenTargetsOverSea");
+            DeviceCheck.RequireSupported(shader, _targets, _targetsOverSea);
             _sea = shader.FindKernel("ScreenSea");
             _rain = shader.FindKernel("ScreenRain");
             _beam = shader.FindKernel("ScreenBeam");
@@ -122,6 +125,7 @@ namespace Glint
                 return;
             sea.Set(_shader, _sea, radar, northTurns);
             sea.Field.SetMarch(_shader, _pointsOverSea, radar);
+            sea.Field.SetMarch(_shader, _targetsOverSea, radar);
             _shader.SetBuffer(_sea, ScreenIDs._Echo, Echo.Buffer);
             Dispatch(_sea, Geometry.Radar.Cells * sea.FacetsOfACell, _current.Traced);
         }
@@ -140,6 +144,20 @@ namespace Glint
             _shader.SetBuffer(kernel, ScreenIDs._Echo, Echo.Buffer);
             _shader.SetInt(ScreenIDs._ScreenPointCount, count);
             Dispatch(kernel, count, 1);
+        }
+
+        /// <summary>Adds the echoes of meshes.</summary>
+        /// <param name="isOverSea">Whether waves may hide them; after <see cref="AddSea"/>.</param>
+        /// <inheritdoc cref="ScreenTargets.Set"/>
+        public void AddTargets(ScreenTargets targets, double3 antenna, double seaLevel, double northTurns,
+            bool isOverSea = false)
+        {
+            if (_current.Traced == 0 || targets.Count == 0)
+                return;
+            int kernel = isOverSea ? _targetsOverSea : _targets;
+            targets.Set(_shader, kernel, antenna, seaLevel, northTurns);
+            _shader.SetBuffer(kernel, ScreenIDs._Echo, Echo.Buffer);
+            _shader.DispatchThreads(kernel, targets.Count);
         }
 
         /// <summary>Adds the echo of rain, if there is any.</summary>

@@ -12,7 +12,8 @@ namespace Glint.Editor.Views
 
         protected override void AddFields(VisualElement inspector)
         {
-            inspector.Add(Parts.Group("Scene", Parts.Field("_ownShip", "Own Ship"), Parts.Field("_sea", "Sea")));
+            inspector.Add(Parts.Group("Scene", Parts.Field("_ownShip", "Own Ship"), Parts.Field("_sea", "Sea"),
+                Parts.Field("_layers", "Layers")));
             inspector.Add(Parts.Struct("_radar", "Radar", ScreenFigures.Radar));
             inspector.Add(Parts.Struct("_receiver", "Receiver", ScreenFigures.Receiver));
             inspector.Add(Parts.Struct("_display", "Display", ScreenFigures.Display));
