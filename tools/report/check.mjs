@@ -56,7 +56,7 @@ async function look(width, scheme) {
     const { run, scene, echo } = JSON.parse(document.getElementById('data').textContent);
     const chosen = run.rows[scene?.pose ?? 0], isAround = new Set(run.rows.map(row => row.azimuth_deg)).size > 1;
     return {
-      expected: run.table === 'clutter' ? ['sigma0-vv', 'sigma0-hh', 'shapes'] : run.table === 'echo' ? ['profile', ...echo.image ? ['image'] : [], ...echo.doppler ? ['doppler', 'doppler-cut'] : [], ...run.rows.length > 1 ? ['waterfall', 'levels'] : [], ...scene ? ['view'] : []] : run.table === 'rcs' ? ['levels', ...isAround ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
+      expected: run.table === 'ppi' ? ['ppi'] : run.table === 'clutter' ? ['sigma0-vv', 'sigma0-hh', 'shapes'] : run.table === 'echo' ? ['profile', ...echo.image ? ['image'] : [], ...echo.doppler ? ['doppler', 'doppler-cut'] : [], ...run.rows.length > 1 ? ['waterfall', 'levels'] : [], ...scene ? ['view'] : []] : run.table === 'rcs' ? ['levels', ...isAround ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
       canvases: shown.map(canvas => ({ name: canvas.id || canvas.closest('.chart')?.id, shades: shades(canvas), label: canvas.getAttribute('aria-label') })),
       overflow: document.documentElement.scrollWidth - innerWidth,
       isOfRows: run.table !== undefined && run.rows.length > 1,
@@ -73,6 +73,7 @@ async function look(width, scheme) {
   if (facts.unnamed > 0) fail(`${facts.unnamed} controls have no name`);
   const has3D = facts.canvases.some(canvas => canvas.name === 'view');
   if (has3D) await turns(page, fail);
+  if (facts.canvases.some(canvas => canvas.name === 'ppi')) await zooms(page, fail);
   if (facts.isOfRows) await chooses(page, fail);
   console.log(`${at}: ready after ${readyMs} ms; ${facts.canvases.map(canvas => `${canvas.name} ${canvas.shades}`).join(', ')} colours`);
   if (folder) {
@@ -128,6 +129,25 @@ async function turns(page, fail) {
   await page.mouse.up();
   if (await frame() === first) fail('the mouse does not turn the view');
   await page.keyboard.press('Home');
+}
+
+// The picture of a radar screen zooms by keys and wheel, moves, resets, and tells the level under the mouse.
+async function zooms(page, fail) {
+  const frame = () => page.evaluate(() => document.getElementById('ppi').toDataURL());
+  await (await page.$('#ppi')).scrollIntoView();
+  const first = await frame(), box = await (await page.$('#ppi')).boundingBox();
+  await page.focus('#ppi');
+  await page.keyboard.press('+');
+  const near = await frame();
+  if (near === first) fail('+ does not zoom the picture');
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.4 * box.height);
+  if (!/bearing .* dB over noise/.test(await page.evaluate(() => document.getElementById('ppi-readout').textContent))) fail('the picture tells no level under the mouse');
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height, { steps: 3 });
+  await page.mouse.up();
+  if (await frame() === near) fail('the mouse does not move the picture');
+  await page.keyboard.press('Home');
+  if (await frame() !== first) fail('Home does not show the whole turn');
 }
 
 // Another row changes the charts, the table of contributions and the 3-D view; a click on the polar chart chooses one.

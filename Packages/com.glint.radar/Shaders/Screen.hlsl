@@ -14,6 +14,11 @@ uint SpokeAt(uint number)
     return (_ScreenSlice.x + number) & (_ScreenSize.x - 1);
 }
 
+bool IsSpokeInSlice(uint spoke)
+{
+    return ((spoke - _ScreenSlice.x) & (_ScreenSize.x - 1)) < _ScreenSlice.y;
+}
+
 // The turn of a spoke of this dispatch, counted from the first.
 int TurnAt(uint number)
 {

@@ -17,8 +17,7 @@ uint _ScreenPointCount;
 // Whether a point has an echo in the spokes of this dispatch.
 bool IsInSlice(ScreenPoint echo)
 {
-    return echo.Amplitude != 0.0
-        && (((uint)echo.Spoke - _ScreenSlice.x) & (_ScreenSize.x - 1)) < _ScreenSlice.y;
+    return echo.Amplitude != 0.0 && IsSpokeInSlice(echo.Spoke);
 }
 
 #if !defined(GLINT_SCREEN_SEA)

@@ -78,6 +78,15 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
     AddEcho(spoke, cell, amplitude * number);
 }
 
+// Whether a wave is before a place. offset: from the antenna to the east, up and to the north, m.
+bool IsBehindWaves(float3 offset)
+{
+    float2 x = SeaDirection(0.25), z = SeaDirection(0.0), ground = offset.x * x + offset.z * z;
+    float3 bent = float3(ground.x, offset.y - _SeaRadar.w * dot(ground, ground), ground.y);
+    float reach = length(bent);
+    return MarchSea(_SeaRadar.xyz, bent / reach, reach).IsHit;
+}
+
 // Points that the waves may hide.
 [numthreads(64, 1, 1)]
 void ScreenPointsOverSea(uint3 id : SV_DispatchThreadID)
@@ -87,10 +96,7 @@ void ScreenPointsOverSea(uint3 id : SV_DispatchThreadID)
     ScreenPoint echo = _ScreenPoints[id.x];
     if (!IsInSlice(echo))
         return;
-    float2 x = SeaDirection(0.25), z = SeaDirection(0.0), from = echo.Position.x * x + echo.Position.z * z;
-    float3 way = float3(from.x, echo.Position.y - _SeaRadar.w * dot(from, from), from.y);
-    float reach = length(way);
-    if (!MarchSea(_SeaRadar.xyz, way / reach, reach).IsHit)
+    if (!IsBehindWaves(echo.Position))
         AddEcho(echo.Spoke, echo.Cell, echo.Field);
 }
 

@@ -50,4 +50,14 @@ struct InstanceRecord
     uint Unused[3];
 };
 
+// GLINT_SURFACE_SAMPLE: a point of a surface, of which a radar screen takes an echo (Core/Screen/SurfaceSamples.cs).
+struct SurfaceSample
+{
+    float3 Position;      // in the mesh's frame
+    float Area;           // of the surface that it stands for, m2
+    uint Instance;        // index in the scene
+    uint Triangle;        // index in the instance's mesh
+    uint2 Unused;
+};
+
 #endif

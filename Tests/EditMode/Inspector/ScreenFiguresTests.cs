@@ -34,6 +34,7 @@ namespace Glint.Tests
             AssertAll<ScreenRadar>(ScreenFigures.Radar);
             AssertAll<ScreenReceiver>(ScreenFigures.Receiver);
             AssertAll<ScreenDisplay>(ScreenFigures.Display);
+            AssertAll<ScreenDetection>(ScreenFigures.Detection);
         }
 
         // 25 kW, 29.9 dB, 10 MHz and 5 dB: 21.6 dB over noise for 10 m2 at 4.9 miles.

@@ -18,6 +18,7 @@ namespace Glint.Tests
             Assert.That(Marshal.SizeOf<RayData>(), Is.EqualTo(48));
             Assert.That(Marshal.SizeOf<HitData>(), Is.EqualTo(48));
             Assert.That(Marshal.SizeOf<InstanceRecord>(), Is.EqualTo(144));
+            Assert.That(Marshal.SizeOf<SurfaceSample>(), Is.EqualTo(32));
         }
 
         [Test]
@@ -42,9 +43,10 @@ namespace Glint.Tests
                 Position = float3(46, 47, 48), Instance = 49, Direction = float3(50, 51, 52), Triangle = 53,
                 Object = 54, Surface = 55
             };
-            var expected = Enumerable.Range(1, 55).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
+            var sample = new SurfaceSample { Position = float3(56, 57, 58), Area = 59, Instance = 60, Triangle = 61 };
+            var expected = Enumerable.Range(1, 61).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
 
-            Assert.That(Unpack(ray, instance, hit, expected.Length), Is.EqualTo(expected));
+            Assert.That(Unpack(ray, instance, hit, sample, expected.Length), Is.EqualTo(expected));
         }
 
         [Test]
@@ -120,15 +122,17 @@ namespace Glint.Tests
             Assert.That(Channel.Histogram.Word + Signal.PhaseBins, Is.LessThanOrEqualTo(Channel.WordsPerSlot));
         }
 
-        static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 41, 42, 43, 44, 45, 49, 53, 54, 55 }.Contains(field);
+        static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 41, 42, 43, 44, 45, 49, 53, 54, 55, 60, 61 }.Contains(field);
 
-        static uint[] Unpack(RayData ray, InstanceRecord instance, HitData hit, int count)
+        static uint[] Unpack(RayData ray, InstanceRecord instance, HitData hit, SurfaceSample sample,
+            int count)
         {
             using (var fields = new ShaderFields(TestKernels.Layout))
             {
                 fields.Bind("_RayIn", ray);
                 fields.Bind("_InstanceIn", instance);
                 fields.Bind("_HitIn", hit);
+                fields.Bind("_SampleIn", sample);
                 return fields.Unpack(count);
             }
         }

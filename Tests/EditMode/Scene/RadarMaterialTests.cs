@@ -25,6 +25,27 @@ namespace Glint.Tests
         public void Surface_OfANewMaterial_IsAConductor() =>
             Assert.That(_material.ToSurface(), Is.EqualTo(new SurfaceMaterial("hull")));
 
+        [TestCase(RadarMaterialKind.Conductor)]
+        [TestCase(RadarMaterialKind.Published)]
+        public void Surface_HasSlopeAndGamma(RadarMaterialKind kind)
+        {
+            (_material.Kind, _material.Published) = (kind, "itu_concrete");
+            string before = _material.ToSurface().ToString();
+            (_material.Slope, _material.GammaDb) = (0.3, -5);
+            var surface = _material.ToSurface();
+            Assert.That((surface.Slope, surface.GammaDb), Is.EqualTo((0.3, -5.0)));
+            // Content hashes of results without them stay.
+            Assert.That(surface.ToString(), Is.EqualTo(before + ", slope 0.3, gamma -5 dB"));
+        }
+
+        [TestCase(0, -10, "Radar Material 'hull': material 'hull': its slope 0 must be from 0.001 to 1")]
+        [TestCase(0.1, 31, "Radar Material 'hull': material 'hull': its gamma in dB 31 must be from -100 to 30")]
+        public void SlopeOrGamma_OutOfItsRange_IsRefused(double slope, double gammaDb, string message)
+        {
+            (_material.Slope, _material.GammaDb) = (slope, gammaDb);
+            Assert.That(() => _material.ToSurface(), Throws.InstanceOf<GlintException>().With.Message.EqualTo(message));
+        }
+
         [Test]
         public void Surface_OfLayers_HasThemInOrder()
         {

@@ -9,8 +9,8 @@ namespace Glint.Tests
     /// <summary>
     /// IMO resolution MSC.192(79), table 2: ranges at which targets are seen in eight of ten scans at a false-alarm rate
     /// of 1e-4, X band, antenna at 15 m. Cross sections of buoys and small vessels are those of its footnotes and of
-    /// MSC.164(78). The resolution gives none for ships and shores: these are of the order that tests of radars use, as
-    /// points at the stated height.
+    /// MSC.164(78). The resolution gives none for ships and shores: <see cref="Ship"/> and <see cref="Shore"/> do. Targets
+    /// are points at the stated height.
     /// </summary>
     public sealed class DetectionRangeTests
     {
@@ -20,8 +20,9 @@ namespace Glint.Tests
 
         static readonly (string name, double height, double miles, double section)[] s_targets =
         {
-            ("shore of 60 m", 60, 20, 50000), ("shore of 6 m", 6, 8, 5000), ("shore of 3 m", 3, 6, 2500),
-            ("ship above 5,000 tons", 10, 11, 50000), ("ship above 500 tons", 5, 8, 1800),
+            ("shore of 60 m", 60, 20, Shore(60, 20)), ("shore of 6 m", 6, 8, Shore(6, 8)),
+            ("shore of 3 m", 3, 6, Shore(3, 6)), ("ship above 5,000 tons", 10, 11, Ship(5)),
+            ("ship above 500 tons", 5, 8, Ship(0.5)),
             ("small vessel with reflector", 4, 5, 7.5), ("buoy with corner reflector", 3.5, 4.9, 10),
             ("typical buoy", 3.5, 4.6, 5), ("10 m vessel without reflector", 2, 3.4, 2.5)
         };
@@ -37,10 +38,12 @@ namespace Glint.Tests
             {
                 var (name, height, miles, _) = s_targets[i];
                 double waves = SeaFactor.Detour(AntennaHeight, height, miles * 1852) / Wavelength;
-                if (reflection > 0)
-                    TestContext.WriteLine($"{name}: detour {waves:0.00} wavelengths, factor {Factor(waves):0.0} dB, "
-                        + $"{Level(i) + Factor(waves):0.0} dB over noise");
-                Assert.That(seen[i], Is.GreaterThanOrEqualTo(Needed), name);
+                string text = FormattableString.Invariant($"{name}: {s_targets[i].section:0.#} m2, {Level(i):0.0} dB over noise")
+                    + (reflection == 0 ? "" : FormattableString.Invariant(
+                        $", detour {waves:0.00} wavelengths, {Factor(waves):0.0} dB by the sea, {NullOf(waves)}"))
+                    + $": {seen[i]} of {Scans} scans";
+                TestContext.WriteLine(text);
+                Assert.That(seen[i], Is.GreaterThanOrEqualTo(Needed), text);
             }
         }
 
@@ -59,6 +62,20 @@ namespace Glint.Tests
             Assert.That(Seen(0, buoys)[0], Is.EqualTo(Scans));
             Assert.That(Seen(1, buoys)[0], Is.LessThanOrEqualTo(1));
         }
+
+        // M. I. Skolnik, An empirical formula for the radar cross section of ships at grazing incidence, IEEE Transactions
+        // AES-10 (1974) 292: 52 f^(1/2) D^(3/2), MHz and kilotons. The gross tonnage in tons is taken for the displacement.
+        static double Ship(double kilotons) => 52 * Math.Sqrt(9410) * Math.Pow(kilotons, 1.5);
+
+        // A tenth of the face that the beam of 1.2 degrees covers: sigma0 = gamma sin(grazing angle), gamma -10 dB, as of
+        // wooded hills (D. K. Barton, Land clutter models for radar design and analysis, Proceedings of the IEEE 73 (1985)
+        // 198), on a face that is steep.
+        static double Shore(double height, double miles) => 0.1 * height * miles * 1852 * math.radians(1.2);
+
+        // Nulls are at whole wavelengths.
+        static string NullOf(double waves) => Factor(waves) < -10
+            ? $"in null {Math.Round(waves)}"
+            : $"{Math.Abs(waves - Math.Round(waves)):0.00} wavelengths from null {Math.Round(waves)}";
 
         static double Factor(double waves) => 40 * Math.Log10(2 * Math.Abs(Math.Sin(Math.PI * waves)));
 

@@ -11,6 +11,9 @@ namespace Glint.Tests
     /// <summary>The component: own ship, compass, reflectors, settings and picture.</summary>
     public sealed class RadarScreenTests
     {
+        // Objects of other tests are on others.
+        const int Layer = 28;
+
         readonly List<GameObject> _made = new List<GameObject>();
         RadarScreen _screen;
 
@@ -22,6 +25,7 @@ namespace Glint.Tests
             mast.transform.SetParent(ship.transform, false);
             _screen = mast.AddComponent<RadarScreen>();
             _screen.Kernel = TestKernels.Screen;
+            _screen.Layers = 1 << Layer;
             _screen.OwnShip = ship.transform;
             _screen.Radar = ScreenBench.Small();
             var display = ScreenDisplay.Default;
@@ -92,6 +96,88 @@ namespace Glint.Tests
             Assert.That(Peak(), Is.LessThan(20));
         }
 
+        // A ship that a script moves, from the second turn on: it was merged with what stands still before.
+        [Test]
+        public void Ship_ThatMoves_EchoesFromWhereItIs()
+        {
+            Ship("Pier", new Vector3(-3000, 15, 0));
+            var ship = Ship("Ship", new Vector3(3000, 15, 0));
+            AssertEchoes(0, 3000, -3000);
+            foreach (float at in new float[] { 3500, 4000 })
+            {
+                ship.transform.position = new Vector3(at, 15, 0);
+                AssertEchoes(0, at, -3000);
+            }
+            // An own ship in the scene has no echo.
+            _screen.OwnShip = ship.transform;
+            AssertEchoes(0, -3000);
+        }
+
+        [Test]
+        public void Ship_ThatIsHiddenOrDestroyed_IsNotShown_AndNewOnesAreAfterGatherAgain()
+        {
+            var ship = Ship("Ship", new Vector3(3000, 15, 0));
+            var other = Ship("Other", new Vector3(0, 15, 4000));
+            AssertEchoes(0, 3000);
+            AssertEchoes(90, 4000);
+            ship.GetComponent<Renderer>().enabled = false;
+            AssertEchoes(0);
+            UnityEngine.Object.DestroyImmediate(other);
+            AssertEchoes(90);
+            Ship("New", new Vector3(5000, 15, 0));
+            AssertEchoes(0);
+            _screen.GatherAgain();
+            AssertEchoes(0, 5000);
+            _screen.Layers = 0;
+            AssertEchoes(0);
+            Assert.That(_screen.PointCount, Is.Zero);
+        }
+
+        [Test]
+        public void Seas_AreNotTraced()
+        {
+            var tile = Ship("Snapshot", new Vector3(3000, 15, 0));
+            tile.AddComponent<SeaSnapshot>();
+            AssertEchoes(0);
+        }
+
+        // The library has wet ground up to 10 GHz.
+        [Test]
+        public void Meshes_ThatCannotBeTraced_AreRefused()
+        {
+            var ship = Ship("Ship", new Vector3(3000, 15, 0));
+            var material = ScriptableObject.CreateInstance<RadarMaterial>();
+            (material.name, material.Kind, material.Published) = ("mud", RadarMaterialKind.Published, "itu_wet_ground");
+            ship.AddComponent<RadarSurface>().Material = material;
+            var radar = _screen.Radar;
+            radar.Frequency = 11e9;
+            _screen.Radar = radar;
+            Assert.That(() => _screen.Advance(0), Throws.InstanceOf<GlintException>()
+                .With.Message.StartsWith("material 'mud' has no data at"));
+            UnityEngine.Object.DestroyImmediate(material);
+            var mesh = UnityEngine.Object.Instantiate(ship.GetComponent<MeshFilter>().sharedMesh);
+            mesh.name = "sealed";
+            mesh.UploadMeshData(true);
+            ship.GetComponent<MeshFilter>().sharedMesh = mesh;
+            Assert.That(() => _screen.Advance(0), Throws.InstanceOf<GlintException>().With.Message.EqualTo(
+                "RadarScreen of 'Radar': mesh 'sealed' of 'Ship' is not readable: tick Read/Write in the mesh's import "
+                + "settings; or take its layer out of Layers"));
+            _screen.Layers = 0;
+            _screen.Advance(0);
+            UnityEngine.Object.DestroyImmediate(mesh);
+        }
+
+        // Half a cell, and 64 points of a cube.
+        [Test]
+        public void Points_OfMeshes_AreCounted()
+        {
+            Ship("Ship", new Vector3(3000, 15, 0)).transform.localScale = Vector3.one;
+            TurnOnce();
+            Assert.That(_screen.PointCount, Is.EqualTo(64));
+            Assert.That(_screen.PointSpacing, Is.EqualTo(_screen.Geometry.CellSize / 2));
+            Assert.That(_screen.MeshBytes, Is.GreaterThan(64 * 32));
+        }
+
         [Test]
         public void Picture_IsTheTextureThatTheProcessorDraws()
         {
@@ -103,6 +189,28 @@ namespace Glint.Tests
             Assert.That(pixels, Has.Length.EqualTo(4 * 128 * 128));
             Assert.That(pixels.Zip(expected, (a, b) => Math.Abs(a - b) > 1).Count(differs => differs), Is.LessThan(40));
             Assert.That(pixels.Where((_, i) => i % 4 == 0).Max(), Is.GreaterThan(150), "an echo");
+        }
+
+        // 5 km away to the north-east, at 0.6 of the range scale.
+        [Test]
+        public void Detections_AreMarkedInThePicture()
+        {
+            var radar = ScreenBench.Small();
+            radar.RangeScale = 5000 / 0.6;
+            _screen.Radar = radar;
+            Reflector(new Vector3(3000, 15, 4000), 1e4);
+            TurnOnce();
+            var strongest = _screen.ReadDetections().OrderByDescending(each => each.OverThresholdDb).First();
+            double scale = 64 / radar.RangeScale;
+            Assert.That(strongest.Range * scale * Math.Sin(strongest.BearingDegrees * Math.PI / 180),
+                Is.EqualTo(3000 * scale).Within(1));
+            byte[] plain = _screen.ReadPicture(), marked = _screen.ReadPicture();
+            _screen.Mark(marked, new[] { strongest });
+            var changed = Enumerable.Range(0, 128 * 128).Where(pixel => plain[4 * pixel] != marked[4 * pixel]
+                || plain[4 * pixel + 2] != marked[4 * pixel + 2]).ToArray();
+            Assert.That(changed, Has.Length.EqualTo(1));
+            Assert.That(changed[0] % 128, Is.EqualTo(63.5 + 3000 * scale).Within(1.5));
+            Assert.That(changed[0] / 128, Is.EqualTo(63.5 + 4000 * scale).Within(1.5));
         }
 
         [Test]
@@ -144,6 +252,40 @@ namespace Glint.Tests
             _screen.Kernel = null;
             Assert.That(() => _screen.Advance(0), Throws.InstanceOf<GlintException>()
                 .With.Message.StartsWith("RadarScreen of 'Radar' has no kernel"));
+        }
+
+        GameObject Ship(string name, Vector3 position)
+        {
+            var ship = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            (ship.name, ship.layer) = (name, Layer);
+            ship.transform.position = position;
+            ship.transform.localScale = new Vector3(30, 30, 30);
+            _made.Add(ship);
+            return ship;
+        }
+
+        // The cells on the bearings of +X and -X, or those turned by some degrees against the clock, that are 40 dB over
+        // noise: one at each place, x of its middle. The near side of a cube is 15 m nearer, in this cell or the last.
+        void AssertEchoes(double turn, params double[] places)
+        {
+            TurnOnce();
+            var levels = _screen.ReadLevels();
+            var found = new List<double>();
+            foreach (int side in new[] { 1, -1 })
+            {
+                int spoke = (int)Math.Round((side * 90 - turn + 360) % 360 / 360 * 1024);
+                int before = -2;
+                for (int cell = 0; cell < 256; cell++)
+                    if (levels[256 * spoke + cell] > 40)
+                    {
+                        if (cell > before + 2)
+                            found.Add(side * (cell + 0.5) * _screen.Geometry.CellSize);
+                        before = cell;
+                    }
+            }
+            Assert.That(found, Has.Count.EqualTo(places.Length));
+            for (int i = 0; i < places.Length; i++)
+                Assert.That(found[i], Is.EqualTo(places[i]).Within(70));
         }
 
         float Peak()

@@ -107,6 +107,41 @@ namespace Glint.Tests
             }
         }
 
+        // The same with walls: one 10 m above the sea, one 3 m below it.
+        [Test]
+        public void Meshes_BelowTheWaves_AreHidden_AndThoseAboveAreNot()
+        {
+            double3 antenna = new double3(5, 20, 6);
+            TriangleMesh Wall(double bearing, double height)
+            {
+                double angle = math.radians(bearing);
+                double3 forward = new double3(Math.Sin(angle), 0, Math.Cos(angle)), across = new double3(forward.z, 0, -forward.x),
+                    middle = antenna * new double3(1, 0, 1) + Range * forward + new double3(0, height, 0);
+                float3 At(double x, double y) => (float3)(middle + x * across + new double3(0, y, 0));
+                return new TriangleMesh(new[] { At(-5, -1), At(5, -1), At(5, 1), At(-5, 1) }, new[] { 0, 1, 2, 0, 2, 3 });
+            }
+            var scene = new RadarScene(new MeshInstance { Mesh = Wall(90, 10), ToWorld = Affine.Identity },
+                new MeshInstance { Mesh = Wall(100, -3), ToWorld = Affine.Identity });
+            using (var bench = new ScreenBench(RadarOf(ScreenPolarisation.Vertical)))
+            using (var sea = new ScreenSea(TestKernels.SeaField, "test", bench.Geometry, Waves(), SeaClutterSettings.On))
+            using (var targets = new ScreenTargets("test", bench.Geometry))
+            {
+                sea.Update(0);
+                targets.SetScene(scene, new bool[2]);
+                foreach (double turns in new[] { 85 / 360.0, 105 / 360.0 })
+                {
+                    bench.Tracer.Begin(turns);
+                    bench.Tracer.AddSea(sea, antenna, 0);
+                    bench.Tracer.AddTargets(targets, antenna, 0, 0, isOverSea: true);
+                    bench.Tracer.Finish(bench.Receiver);
+                }
+                var levels = bench.Levels();
+                double Level(double bearing) => levels[bench.Element((int)Math.Round(bearing / 360 * bench.Geometry.Radar.Spokes),
+                    (int)(Range / bench.Geometry.CellSize))];
+                Assert.That(Level(90), Is.GreaterThan(Level(100) + 20));
+            }
+        }
+
         [Test]
         public void Level_OfAPublishedModel_IsRefused()
         {

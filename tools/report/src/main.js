@@ -3,6 +3,7 @@ import { byId } from './text.js';
 import { showClutter } from './clutter.js';
 import { showCrossSections } from './rcs.js';
 import { showRun } from './run.js';
+import { showScreen } from './screen.js';
 
 const data = JSON.parse(byId('data').textContent);
 const { run } = data;
@@ -10,7 +11,8 @@ const name = (run.scene?.path ?? 'Built-in scene').split(/[\\/]/).pop().replace(
 // The parts of the page of each table of results; without a table it is a run or sweep.
 const { parts, show } = {
   run: { parts: ['run'], show: showRun }, rcs: { parts: ['rcs'], show: showCrossSections },
-  echo: { parts: ['rcs', 'echo'], show: showCrossSections }, clutter: { parts: ['clutter'], show: showClutter }
+  echo: { parts: ['rcs', 'echo'], show: showCrossSections }, clutter: { parts: ['clutter'], show: showClutter },
+  ppi: { parts: ['screen'], show: showScreen }
 }[run.table ?? 'run'];
 document.title = `${name} - Glint report`;
 byId('title').textContent = name;

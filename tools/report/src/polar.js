@@ -2,7 +2,8 @@
 import { byId, number } from './text.js';
 import { theme } from './palette.js';
 
-const span = 50, ring = 10;
+// Decibels; labels nearer to the centre, in pixels, would hide it.
+const span = 50, ring = 10, nearestLabel = 28;
 
 export class Polar {
   /** @param {boolean} isElevation Whether the angle grows upwards from the right; azimuth grows clockwise from the top. @param {function} onPick takes an index. */
@@ -72,7 +73,7 @@ export class Polar {
   drawRingLabels() {
     const { ctx } = this;
     [ctx.textAlign, ctx.textBaseline] = ['left', 'middle'];
-    for (let level = 0; level < span; level += ring) {
+    for (let level = 0; level < span && this.radius * (1 - level / span) > nearestLabel; level += ring) {
       const [x, y] = this.at(45, this.top - level), text = `${number(this.top - level)}${level === 0 ? ' dBsm' : ''}`;
       ctx.fillStyle = theme('--back');
       ctx.fillRect(x - 1, y - 7, ctx.measureText(text).width + 3, 14);

@@ -40,13 +40,13 @@ namespace Glint.Core
         /// Metres by which stored boxes are larger on each side. float32 rays deviate from the true rays by some
         /// ten-millionths (ERROR_PER_SEGMENT in the kernels) of the lengths and coordinates of a segment.
         /// </summary>
-        public double Margin
+        public double Margin => MarginOf(BoxOf(Root));
+
+        /// <summary>The same of a BVH with a box around all.</summary>
+        public static double MarginOf(in Box all)
         {
-            get
-            {
-                double3 boxMin = BoxOf(Root).Min, boxMax = BoxOf(Root).Max;
-                return 4e-6 * cmax(boxMax - boxMin) + 4e-7 * cmax(max(abs(boxMin), abs(boxMax)));
-            }
+            double3 boxMin = all.Min, boxMax = all.Max;
+            return 4e-6 * cmax(boxMax - boxMin) + 4e-7 * cmax(max(abs(boxMin), abs(boxMax)));
         }
 
         public int FirstLeaf(int child) => child < 0 ? ~child : Nodes[child].First;

@@ -83,22 +83,59 @@ namespace Glint.Core
 
         void WriteNode(int node, int left, int right)
         {
-            Measure(_bvh.BoxOf(left), out var centreA, out var halfSizeA);
-            Measure(_bvh.BoxOf(right), out var centreB, out var halfSizeB);
             int row = NodeRow(node);
-            _rows[row] = uint4(asuint(centreA), Reference(left));
-            _rows[row + 1] = uint4(asuint(centreB), Reference(right));
-            _rows[row + 2] = uint4(halfSizeA << 16 | halfSizeB, 0);
+            WriteBoxes(_rows, row, _bvh.BoxOf(left), _bvh.BoxOf(right), _centre, _margin);
+            (_rows[row].w, _rows[row + 1].w) = (Reference(left), Reference(right));
+        }
+
+        /// <summary>
+        /// Writes the boxes of moved items into the nodes of a BVH whose leaves hold their items' numbers; the tree stays
+        /// as it is. It allocates nothing.
+        /// </summary>
+        public static void Refit(uint4[] rows, float3[] boxMins, float3[] boxMaxes)
+        {
+            var all = Box.Empty;
+            for (int item = 0; item < boxMins.Length; item++)
+                all.Add(new Box(boxMins[item], boxMaxes[item]));
+            // A node precedes its children.
+            for (int node = Math.Max(1, boxMins.Length - 1) - 1; node >= 0; node--)
+            {
+                int row = NodeRow(node);
+                WriteBoxes(rows, row, BoxOf(rows, rows[row].w, boxMins, boxMaxes),
+                    BoxOf(rows, rows[row + 1].w, boxMins, boxMaxes), asfloat(rows[0].xyz), BinaryBvh.MarginOf(all));
+            }
+        }
+
+        static Box BoxOf(uint4[] rows, uint child, float3[] boxMins, float3[] boxMaxes)
+        {
+            int row = (int)(child & ~LeafBit);
+            if ((child & LeafBit) != 0)
+                return new Box(boxMins[rows[row].x], boxMaxes[rows[row].x]);
+            float3 centreA = asfloat(rows[row].xyz), centreB = asfloat(rows[row + 1].xyz),
+                halfSizeA = asfloat(rows[row + 2].xyz & 0xffff0000), halfSizeB = asfloat(rows[row + 2].xyz << 16),
+                centre = asfloat(rows[0].xyz);
+            return new Box(centre + min(centreA - halfSizeA, centreB - halfSizeB),
+                centre + max(centreA + halfSizeA, centreB + halfSizeB));
+        }
+
+        // References to the children stay.
+        static void WriteBoxes(uint4[] rows, int row, in Box left, in Box right, float3 centre, double margin)
+        {
+            Measure(left, centre, margin, out var centreA, out var halfSizeA);
+            Measure(right, centre, margin, out var centreB, out var halfSizeB);
+            rows[row].xyz = asuint(centreA);
+            rows[row + 1].xyz = asuint(centreB);
+            rows[row + 2] = uint4(halfSizeA << 16 | halfSizeB, 0);
         }
 
         uint Reference(int child) =>
             child < 0 ? LeafBit | (uint)LeafRow(~child - _firstLeaf) : (uint)NodeRow(child - _root);
 
-        void Measure(in Box box, out float3 centre, out uint3 halfSize)
+        static void Measure(in Box box, float3 from, double margin, out float3 centre, out uint3 halfSize)
         {
-            MeasureAxis(box.Min.x, box.Max.x, _centre.x, _margin, out centre.x, out halfSize.x);
-            MeasureAxis(box.Min.y, box.Max.y, _centre.y, _margin, out centre.y, out halfSize.y);
-            MeasureAxis(box.Min.z, box.Max.z, _centre.z, _margin, out centre.z, out halfSize.z);
+            MeasureAxis(box.Min.x, box.Max.x, from.x, margin, out centre.x, out halfSize.x);
+            MeasureAxis(box.Min.y, box.Max.y, from.y, margin, out centre.y, out halfSize.y);
+            MeasureAxis(box.Min.z, box.Max.z, from.z, margin, out centre.z, out halfSize.z);
         }
 
         static void MeasureAxis(double lower, double upper, double centre, double margin,

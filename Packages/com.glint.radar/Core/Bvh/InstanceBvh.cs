@@ -26,6 +26,13 @@ namespace Glint.Core
             var bvh = BinaryBvhBuilder.Build(leaves, max);
             return BvhRows.Encode(bvh, bvh.Root, layout, new NumberWriter(), out _, out _);
         }
+
+        /// <summary>
+        /// Writes moved boxes into rows of <see cref="BvhLayout.Binary"/>. It allocates nothing. The tree stays that of
+        /// the boxes before: rays visit more nodes the farther boxes have moved.
+        /// </summary>
+        public static void Refit(uint4[] rows, float3[] boxMins, float3[] boxMaxes) =>
+            BinaryEncoder.Refit(rows, boxMins, boxMaxes);
     }
 
     /// <summary>Leaves of a BVH over instances: their numbers.</summary>

@@ -11,21 +11,21 @@ namespace Glint.Core
             s_seeds = Interval.Closed(0, int.MaxValue);
 
         /// <summary>The numbers, in the order of the declaration.</summary>
-        public static readonly IReadOnlyList<Measure> Measures = new[]
+        public static readonly IReadOnlyList<Measure> Measures = new MeasureList<SeaClutterSettings>
         {
-            Of(nameof(Wind), it => it.Wind, "Clutter Wind", "m/s", s_winds,
+            { nameof(Wind), it => it.Wind, "Clutter Wind", "m/s", s_winds,
                 "Wind of the waves that the mesh leaves out, 3 to 20. 0: that of the sea; of a sea whose height is "
-                    + "given, the wind that raises it."),
-            Of(nameof(WaterTemperature), it => it.WaterTemperature, "Water Temperature", "C", SeaWater.Temperatures,
-                "Temperature of the water."),
-            Of(nameof(Salinity), it => it.Salinity, "Salinity", "psu", SeaWater.Salinities,
-                "Salt of the water. The ocean has 35."),
-            Of(nameof(WhitecapCoefficient), it => it.WhitecapCoefficient, "Whitecap Coefficient", "",
+                    + "given, the wind that raises it." },
+            { nameof(WaterTemperature), it => it.WaterTemperature, "Water Temperature", "C", SeaWater.Temperatures,
+                "Temperature of the water." },
+            { nameof(Salinity), it => it.Salinity, "Salinity", "psu", SeaWater.Salinities,
+                "Salt of the water. The ocean has 35." },
+            { nameof(WhitecapCoefficient), it => it.WhitecapCoefficient, "Whitecap Coefficient", "",
                 WhitecapLaw.Coefficients,
                 "Fraction of the sea that breaks, over the 3.41th power of the wind. Published laws differ by a "
-                    + "factor of several. 0: none."),
-            Of(nameof(Seed), it => it.Seed, "Seed", "", s_seeds,
-                "Seed of the speckle. The same number gives the same speckle.")
+                    + "factor of several. 0: none." },
+            { nameof(Seed), it => it.Seed, "Seed", "", s_seeds,
+                "Seed of the speckle. The same number gives the same speckle." }
         };
 
         /// <summary>Whether the sea has a diffuse echo, and the reflection of sea water.</summary>
@@ -77,9 +77,5 @@ namespace Glint.Core
             foreach (var measure in Measures)
                 Require.Within(subject, measure, this);
         }
-
-        static Measure Of(string field, Func<SeaClutterSettings, double> value, string title, string unit,
-            Interval range, string help) =>
-            new Measure(field, settings => value((SeaClutterSettings)settings), title, unit, range, help);
     }
 }

@@ -91,15 +91,19 @@ namespace Glint.Core
 
         /// <summary>
         /// A material that is a half-space and is given to a surface with air on both sides, which bounds none; null if
-        /// there is none.
+        /// there is none. Below the tiles of a sea there is water.
         /// </summary>
         /// <inheritdoc cref="Find" path="/param|/exception"/>
         public static SurfaceMaterial FindOpenDielectric(RadarScene scene, IReadOnlyList<SurfacePatches> patches)
         {
-            if (scene.Surfaces.All(surface => surface.HalfSpace == null))
+            var tiles = new HashSet<int>(scene.Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
+            int[] candidates = Enumerable.Range(0, scene.Instances.Length).Where(instance => !tiles.Contains(instance)
+                && scene.Instances[instance].Ranges.Any(range => scene.Surfaces[range.Surface].HalfSpace != null))
+                .ToArray();
+            if (candidates.Length == 0)
                 return null;
             var finder = new WedgeFinder(scene, patches, surface => surface.HalfSpace == null);
-            for (int i = 0; i < finder._placed.Length; i++)
+            foreach (int i in candidates)
             {
                 var welded = finder._placed[i].Welded;
                 var surfaces = SurfacePatches.SurfacesOf(welded.Mesh, scene.Instances[i].Ranges);

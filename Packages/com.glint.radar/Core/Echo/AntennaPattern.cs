@@ -18,22 +18,25 @@ namespace Glint.Core
 
         readonly Func<double, Complex> _field;
 
-        AntennaPattern(Func<double, Complex> field) => _field = field;
+        AntennaPattern(double widthDegrees, Func<double, Complex> field) => (Width, _field) = (widthDegrees, field);
+
+        /// <summary>Beam width, degrees; of a table, between the points of half of its largest power.</summary>
+        public double Width { get; }
 
         /// <summary>A Gaussian beam: no sidelobes.</summary>
         /// <exception cref="GlintException">The width is out of its range.</exception>
         public static AntennaPattern Gaussian(double beamWidthDegrees)
         {
-            double width = Width(beamWidthDegrees);
-            return new AntennaPattern(angle => GaussianField(angle / width));
+            double exponent = GaussianExponent(beamWidthDegrees);
+            return new AntennaPattern(beamWidthDegrees, angle => GaussianField(exponent, angle));
         }
 
         /// <summary>A line or rectangle of constant field: sin(x) / x, sidelobes of -13 dB, 0 behind it.</summary>
         /// <inheritdoc cref="Gaussian" path="/exception"/>
         public static AntennaPattern Sinc(double beamWidthDegrees)
         {
-            double scale = Math.PI * HalfPowerSinc / Math.Sin(Width(beamWidthDegrees) / 2);
-            return new AntennaPattern(angle =>
+            double scale = Math.PI * HalfPowerSinc / Math.Sin(Checked(beamWidthDegrees) / 2);
+            return new AntennaPattern(beamWidthDegrees, angle =>
             {
                 double x = scale * Math.Sin(angle);
                 return Math.Abs(angle) > Math.PI / 2 ? 0 : x == 0 ? 1 : Math.Sin(x) / x;
@@ -49,14 +52,14 @@ namespace Glint.Core
         /// <exception cref="GlintException">An angle is out of its range.</exception>
         public static AntennaPattern CosecantSquared(double beamWidthDegrees, double fromDegrees, double toDegrees)
         {
-            double width = Width(beamWidthDegrees), side = Math.Sign(fromDegrees),
+            double exponent = GaussianExponent(beamWidthDegrees), side = Math.Sign(fromDegrees),
                 from = Radians(side * fromDegrees), to = Radians(side * toDegrees);
             Require.Within("antenna", "end of the cosecant's angles", toDegrees, "degrees", Interval.Closed(-179, 179));
             if (!(from > 0 && to > from))
                 throw new GlintException($"antenna: the cosecant's angles from {RadarSettings.Text(fromDegrees)} to "
                     + $"{RadarSettings.Text(toDegrees)} degrees must lead away from 0 on one side");
-            double scale = GaussianField(from / width) * Math.Sin(from);
-            return new AntennaPattern(angle => side * angle <= from ? GaussianField(angle / width)
+            double scale = GaussianField(exponent, from) * Math.Sin(from);
+            return new AntennaPattern(beamWidthDegrees, angle => side * angle <= from ? GaussianField(exponent, angle)
                 : side * angle <= to ? scale / Math.Sin(side * angle) : 0);
         }
 
@@ -77,14 +80,24 @@ namespace Glint.Core
                         + "order");
             double[] angles = degrees.Select(Radians).ToArray();
             Complex[] values = fields.ToArray();
-            return new AntennaPattern(angle => Interpolate(angles, values, angle));
+            return new AntennaPattern(HalfPowerWidth(degrees, values), angle => Interpolate(angles, values, angle));
         }
 
         /// <summary>The field at an angle, radians, any number of turns.</summary>
         public Complex Field(double angle) => _field(Math.IEEERemainder(angle, 2 * Math.PI));
 
-        // The power is 1/2 at half the width: exp(-4 ln 2 (angle / width)^2).
-        static double GaussianField(double widths) => Math.Exp(-2 * Math.Log(2) * widths * widths);
+        /// <summary>
+        /// The field of a Gaussian beam falls with exp(-this angle^2), the angle in radians: the power is 1/2 at half the
+        /// width.
+        /// </summary>
+        /// <exception cref="GlintException">The width is out of its range.</exception>
+        public static double GaussianExponent(double beamWidthDegrees)
+        {
+            double width = Checked(beamWidthDegrees);
+            return 2 * Math.Log(2) / (width * width);
+        }
+
+        static double GaussianField(double exponent, double angle) => Math.Exp(-exponent * angle * angle);
 
         static Complex Interpolate(double[] angles, Complex[] fields, double angle)
         {
@@ -98,7 +111,25 @@ namespace Glint.Core
             return (1 - part) * fields[next - 1] + part * fields[next];
         }
 
-        static double Width(double degrees)
+        // Where the table ends above half of the power, the beam ends there.
+        static double HalfPowerWidth(IReadOnlyList<double> degrees, Complex[] fields)
+        {
+            double largest = fields.Max(field => field.Magnitude), half = largest * Math.Sqrt(0.5);
+            int peak = Array.FindIndex(fields, field => field.Magnitude == largest);
+            double Edge(int step)
+            {
+                int at = peak, next = at + step;
+                while (next >= 0 && next < fields.Length && fields[next].Magnitude > half)
+                    (at, next) = (next, next + step);
+                if (next < 0 || next == fields.Length)
+                    return degrees[at];
+                double inside = fields[at].Magnitude, outside = fields[next].Magnitude;
+                return degrees[at] + (inside - half) / (inside - outside) * (degrees[next] - degrees[at]);
+            }
+            return Edge(1) - Edge(-1);
+        }
+
+        static double Checked(double degrees)
         {
             Require.Within("antenna", "beam width", degrees, "degrees", s_width);
             return Radians(degrees);

@@ -31,6 +31,9 @@ namespace Glint.Core
         // By the number of reference cells, 0 where not computed yet.
         readonly double[] _factors;
 
+        // Of the cell that is tested.
+        readonly double[] _referenceCells;
+
         /// <param name="falseAlarmRate">False alarms a cell.</param>
         /// <param name="reference">Reference cells on each side, along a row, at most 200, as the others.</param>
         /// <param name="guard">
@@ -52,6 +55,7 @@ namespace Glint.Core
             (_reference, _guard, _referenceRows, _guardRows) = (reference, guard, referenceRows, guardRows);
             int width = 2 * (reference + guard) + 1, height = 2 * (referenceRows + guardRows) + 1;
             _factors = new double[width * height + 1];
+            _referenceCells = new double[width * height];
         }
 
         /// <summary>The threshold as a multiple of the level, for this number of reference cells.</summary>
@@ -84,18 +88,22 @@ namespace Glint.Core
             if (columns < 1 || power.Length % columns != 0)
                 throw new GlintException($"CFAR: {power.Length} cells do not fill rows of {columns}");
             var detected = new List<int>();
-            var cells = new double[_factors.Length];
             for (int index = 0; index < power.Length; index++)
-            {
-                int count = Gather(power, columns, index, cells);
-                if (count > 0 && power[index] > FactorOf(count) * LevelOf(cells, count))
+                if (power[index] > Threshold(power, columns, index))
                     detected.Add(index);
-            }
             return detected;
         }
 
+        /// <summary>The threshold of a cell; infinite without reference cells.</summary>
+        /// <inheritdoc cref="Detect" path="/param"/>
+        public double Threshold(double[] power, int columns, int index)
+        {
+            int count = Gather(power, columns, index);
+            return count > 0 ? FactorOf(count) * Level(count) : double.PositiveInfinity;
+        }
+
         // Copies the reference cells of a cell: those of the rectangle around it that are not in the guard rectangle.
-        int Gather(double[] power, int columns, int index, double[] cells)
+        int Gather(double[] power, int columns, int index)
         {
             int row = index / columns, column = index % columns, height = _referenceRows + _guardRows,
                 width = _reference + _guard, lastRow = Math.Min(power.Length / columns - 1, row + height),
@@ -103,20 +111,20 @@ namespace Glint.Core
             for (int y = Math.Max(0, row - height); y <= lastRow; y++)
                 for (int x = Math.Max(0, column - width); x <= lastColumn; x++)
                     if (Math.Abs(x - column) > _guard || Math.Abs(y - row) > _guardRows)
-                        cells[count++] = power[y * columns + x];
+                        _referenceCells[count++] = power[y * columns + x];
             return count;
         }
 
-        double LevelOf(double[] cells, int count)
+        double Level(int count)
         {
             if (_level == CfarLevel.Rank)
             {
-                Array.Sort(cells, 0, count);
-                return cells[RankOf(count) - 1];
+                Array.Sort(_referenceCells, 0, count);
+                return _referenceCells[RankOf(count) - 1];
             }
             double sum = 0;
             for (int i = 0; i < count; i++)
-                sum += cells[i];
+                sum += _referenceCells[i];
             return sum / count;
         }
 

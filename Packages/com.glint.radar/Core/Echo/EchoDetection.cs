@@ -22,6 +22,9 @@ namespace Glint.Core
         /// <summary>Names of <see cref="CfarLevel"/>, in its order.</summary>
         public static IReadOnlyList<string> Names => s_names;
 
+        /// <summary>The level of a name.</summary>
+        public static CfarLevel LevelOf(string name) => (CfarLevel)Array.IndexOf(s_names, name);
+
         /// <summary>What is taken for the level of noise and clutter: one of <see cref="Names"/>.</summary>
         public string Level { get; set; }
 
@@ -45,7 +48,7 @@ namespace Glint.Core
                 : echo.Map(doppler, direction, polarisation, values);
             int Guard(int size, int bins) => (int)Math.Ceiling(GuardBins * (double)size / bins);
             int guard = Guard(range.Cells, echo.Band.Count);
-            var level = (CfarLevel)Array.IndexOf(s_names, Level);
+            var level = LevelOf(Level);
             if (doppler == null)
                 return Detected(new Cfar(level, FalseAlarmRate, OfProfile, guard), cells, 0, range, null);
             // The first and the last speed are neighbours.

@@ -88,7 +88,7 @@ namespace Glint.Core
         {
             if (Settings.Radar == null || !(Responses(direction, polarisation, pulse) is Complex[] responses))
                 return null;
-            var received = Settings.Radar.Receive(Band, responses);
+            var received = Settings.Radar.Receive(Band, Planned(direction), responses);
             // The same noise whatever other polarisations were asked for.
             long number = 4 * ((long)direction * Plan.PulseCount + pulse) + 2 * polarisation.Received
                 + polarisation.Sent;
@@ -106,10 +106,10 @@ namespace Glint.Core
         /// <param name="values"><see cref="Responses(int, Polarisation, int)"/> or
         /// <see cref="Received(int, Polarisation, int)"/>.</param>
         public Complex[] Map(RangeDopplerTransform transform, int direction, Polarisation polarisation,
-            Func<int, Polarisation, int, Complex[]> values) => values(direction, polarisation, 0) == null
-                ? null
-                : transform.Map(Enumerable.Range(0, Plan.PulseCount)
-                    .Select(pulse => values(direction, polarisation, pulse)).ToArray());
+            Func<int, Polarisation, int, Complex[]> values) => Polarisations.Contains(polarisation)
+                ? transform.Map(Enumerable.Range(0, Plan.PulseCount)
+                    .Select(pulse => values(direction, polarisation, pulse)).ToArray())
+                : null;
 
         /// <summary>From the profiles to the image; only with <see cref="EchoSettings.Image"/>.</summary>
         public IsarTransform NewImage() => NewImage(Settings.RangeOf(Plan, IsarTransform.Padding));

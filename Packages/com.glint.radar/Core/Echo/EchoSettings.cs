@@ -119,6 +119,9 @@ namespace Glint.Core
         /// <summary>Gain of the antenna, which sends and receives, decibels of an isotropic one.</summary>
         public double GainDb { get; set; }
 
+        /// <summary>Pattern of the antenna and its direction; null: the same gain everywhere.</summary>
+        public EchoAntenna Antenna { get; set; }
+
         /// <summary>Losses, decibels.</summary>
         public double LossDb { get; set; }
 
@@ -132,13 +135,19 @@ namespace Glint.Core
         public double Range { get; set; }
 
         /// <summary>Received amplitudes in the root of a watt, from S in metres, without noise.</summary>
+        /// <param name="direction">Where radar and receiver are.</param>
         /// <param name="responses">In order of the frequencies.</param>
-        public Complex[] Receive(FrequencyBand band, IReadOnlyList<Complex> responses)
+        public Complex[] Receive(FrequencyBand band, in PlannedCrossSection direction,
+            IReadOnlyList<Complex> responses)
         {
-            double field = Math.Sqrt(PowerLevel.FromDecibels(GainDb));
+            Complex sent = FieldAt(direction.ElevationDegrees),
+                received = FieldAt(direction.ReceiverElevationDegrees ?? direction.ElevationDegrees);
             return responses.Select((response, n) => new RadarEquation(Power, band.Frequency(n), LossDb)
-                .Amplitude(field, field, response, Range)).ToArray();
+                .Amplitude(sent, received, response, Range)).ToArray();
         }
+
+        Complex FieldAt(double elevation) =>
+            Antenna?.Field(GainDb, elevation) ?? Math.Sqrt(PowerLevel.FromDecibels(GainDb));
 
         /// <summary>The noise of the receiver over a band; null if there is none.</summary>
         public ThermalNoise NoiseOf(FrequencyBand band) => NoiseFigureDb is double figure
@@ -149,6 +158,7 @@ namespace Glint.Core
         {
             settings.Add(new RunSetting(PowerName, Power, "W"));
             settings.Add(new RunSetting(GainName, GainDb, "dB"));
+            Antenna?.AddTo(settings);
             settings.Add(new RunSetting(LossName, LossDb, "dB"));
             if (!(NoiseFigureDb is double figure))
                 return;
@@ -164,7 +174,8 @@ namespace Glint.Core
             bool hasNoise = EchoSettings.Has(info, NoiseName);
             return new EchoRadar
             {
-                Power = Number(PowerName), GainDb = Number(GainName), LossDb = Number(LossName),
+                Power = Number(PowerName), GainDb = Number(GainName), Antenna = EchoAntenna.Of(info),
+                LossDb = Number(LossName),
                 NoiseFigureDb = hasNoise ? Number(NoiseName) : (double?)null,
                 Seed = hasNoise ? (int)Number(SeedName) : 0, Range = Number(RangeName)
             };

@@ -7,6 +7,12 @@ namespace Glint.Core
     /// <summary>Sends datagrams by UDP to one host or multicast group.</summary>
     public sealed class DatagramSender : IDisposable
     {
+        /// <summary>UDP ports.</summary>
+        public static readonly Interval Ports = Interval.Closed(1, 65535);
+
+        /// <summary>Networks that multicast may pass.</summary>
+        public static readonly Interval TimesToLive = Interval.Closed(0, 255);
+
         // 65,535 without the headers of IPv4 and UDP.
         const int MaxLength = 65507;
 
@@ -20,8 +26,8 @@ namespace Glint.Core
         /// <exception cref="GlintException">The host is unknown, or a number is out of its range.</exception>
         public DatagramSender(int port, string host = "127.0.0.1", int multicastTtl = 1)
         {
-            Require.Count("UDP", "port", port, 65535);
-            Require.Within("UDP", "multicast TTL", multicastTtl, "", Interval.Closed(0, 255));
+            Require.Within("UDP", "port", port, "", Ports);
+            Require.Within("UDP", "multicast TTL", multicastTtl, "", TimesToLive);
             _target = $"{host}:{port}";
             try
             {

@@ -32,6 +32,30 @@ namespace Glint.Core
         public void Add(string name, int[] sizes, IEnumerable<Complex> values) =>
             Write(name, "<c16", sizes, values.SelectMany(value => new[] { value.Real, value.Imaginary }));
 
+        /// <summary>The arrays of real numbers in an archive that was written so, by their names.</summary>
+        /// <exception cref="IOException">It cannot be read.</exception>
+        /// <exception cref="InvalidDataException">It is no such archive.</exception>
+        public static IReadOnlyDictionary<string, double[]> Read(string path)
+        {
+            using (var zip = ZipFile.OpenRead(path))
+                return zip.Entries.ToDictionary(entry => Path.GetFileNameWithoutExtension(entry.Name), Read);
+        }
+
+        static double[] Read(ZipArchiveEntry entry)
+        {
+            using (var file = new BinaryReader(new BufferedStream(entry.Open(), 1 << 16)))
+            {
+                byte[] prefix = file.ReadBytes(PrefixLength);
+                int header = prefix.Length < PrefixLength ? 0 : BitConverter.ToUInt16(prefix, PrefixLength - 2);
+                if (!Encoding.ASCII.GetString(file.ReadBytes(header)).StartsWith("{'descr': '<f8'", StringComparison.Ordinal))
+                    throw new InvalidDataException($"{entry.Name} holds no real numbers");
+                var bytes = file.ReadBytes((int)entry.Length - PrefixLength - header);
+                var numbers = new double[bytes.Length / sizeof(double)];
+                Buffer.BlockCopy(bytes, 0, numbers, 0, bytes.Length);
+                return numbers;
+            }
+        }
+
         /// <summary>Ends the archive.</summary>
         public void Dispose() => _zip.Dispose();
 

@@ -154,9 +154,9 @@ namespace Glint.Core
             if (echo.Settings.Radar == null)
                 return;
             Add("received", echo.Doppler == null ? new[] { echo.Band.Count } : new[] { pulses, echo.Band.Count },
-                (direction, each) => echo.Received(direction, each) == null
-                    ? null
-                    : Enumerable.Range(0, pulses).SelectMany(pulse => echo.Received(direction, each, pulse)));
+                (direction, each) => echo.Polarisations.Contains(each)
+                    ? Enumerable.Range(0, pulses).SelectMany(pulse => echo.Received(direction, each, pulse))
+                    : null);
             Add("received_profile", new[] { cells }, (direction, each) => echo.Profile(echo.Received(direction, each)));
             if (echo.Doppler != null)
                 AddMaps("received_map", echo.Received);

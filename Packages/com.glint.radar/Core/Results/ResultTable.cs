@@ -52,8 +52,14 @@ namespace Glint.Core
             FolderSuffix = "-clutter"
         };
 
+        /// <summary>The turn of a radar screen, by whose video the folder is known. It has no rows.</summary>
+        public static readonly ResultTable Screen = new ResultTable("ppi", "video.npz", Array.Empty<ResultColumn>())
+        {
+            FolderSuffix = "-ppi"
+        };
+
         /// <summary>Every table.</summary>
-        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo, Clutter };
+        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo, Clutter, Screen };
 
         ResultTable(string name, string csvName, IReadOnlyList<ResultColumn> columns) =>
             (Name, CsvName, Columns) = (name, csvName, columns);

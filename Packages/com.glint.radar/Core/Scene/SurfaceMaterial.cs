@@ -10,6 +10,24 @@ namespace Glint.Core
     /// </summary>
     public sealed class SurfaceMaterial : IEquatable<SurfaceMaterial>
     {
+        /// <summary>
+        /// Slope of surfaces that are given none: about what a mesh of flat facets leaves out of a hull or a rock. It is
+        /// no measurement.
+        /// </summary>
+        public const double DefaultSlope = 0.1;
+
+        /// <summary>
+        /// Gamma of surfaces that are given none, dB: a choice. Flat land has -20 (MathWorks, surfaceReflectivity), and
+        /// rougher ground more.
+        /// </summary>
+        public const double DefaultGammaDb = -10;
+
+        /// <summary>Slopes that a surface may have.</summary>
+        public static readonly Interval Slopes = Interval.Closed(1e-3, 1);
+
+        /// <summary>Values that <see cref="GammaDb"/> may have.</summary>
+        public static readonly Interval Gammas = Interval.Closed(-100, 30);
+
         /// <summary>The material of triangles that are given none.</summary>
         public static readonly SurfaceMaterial PerfectConductor = new SurfaceMaterial("perfect conductor");
 
@@ -29,20 +47,27 @@ namespace Glint.Core
         /// Root mean square height of what is too fine for the mesh, metres: <see cref="RoughnessLoss.MillerBrown"/>
         /// multiplies both reflection coefficients. 0: smooth.
         /// </param>
-        /// <exception cref="GlintException">The roughness is negative or not finite.</exception>
+        /// <param name="slope"><see cref="Slope"/>.</param>
+        /// <param name="gammaDb"><see cref="GammaDb"/>.</param>
+        /// <exception cref="GlintException">The roughness, the slope or gamma is out of its range.</exception>
         public SurfaceMaterial(string name, IEnumerable<MaterialLayer> layers = null, Medium halfSpace = null,
-            double roughness = 0)
+            double roughness = 0, double slope = DefaultSlope, double gammaDb = DefaultGammaDb)
         {
             if (!(roughness >= 0 && roughness < double.PositiveInfinity))
                 throw new GlintException($"material '{name}': its roughness {Medium.Number(roughness)} m is not a "
                     + "height: give 0 for a smooth surface, or metres above 0");
+            RequireWithin(name, "slope", slope, Slopes);
+            RequireWithin(name, "gamma in dB", gammaDb, Gammas);
             Name = name;
             Layers = layers?.ToArray() ?? Array.Empty<MaterialLayer>();
             HalfSpace = halfSpace;
             Roughness = roughness;
+            (Slope, GammaDb) = (slope, gammaDb);
             string behind = halfSpace == null ? "perfect conductor" : $"half-space of {halfSpace}";
             _text = $"{name}: {string.Concat(Layers.Select(layer => $"{layer} on "))}{behind}"
-                + (roughness > 0 ? $", roughness {Medium.Number(roughness)} m" : "");
+                + (roughness > 0 ? $", roughness {Medium.Number(roughness)} m" : "")
+                + (slope != DefaultSlope ? $", slope {Medium.Number(slope)}" : "")
+                + (gammaDb != DefaultGammaDb ? $", gamma {Medium.Number(gammaDb)} dB" : "");
         }
 
         /// <summary>For messages and results.</summary>
@@ -56,6 +81,22 @@ namespace Glint.Core
 
         /// <summary>Root mean square height of what is too fine for the mesh, metres; 0: smooth.</summary>
         public double Roughness { get; }
+
+        /// <summary>
+        /// Root mean square slope of the surface in one direction about its mesh: it spreads what a
+        /// radar screen gets back. Nothing else reads it.
+        /// </summary>
+        public double Slope { get; }
+
+        /// <summary>
+        /// Diffuse echo of a radar screen: cross section over the area across the ray, dB (sigma0 = gamma sin(grazing)).
+        /// </summary>
+        public double GammaDb { get; }
+
+        /// <summary>The same material with another slope and gamma.</summary>
+        /// <exception cref="GlintException">One is out of its range.</exception>
+        public SurfaceMaterial WithScatter(double slope, double gammaDb) =>
+            new SurfaceMaterial(Name, Layers, HalfSpace, Roughness, slope, gammaDb);
 
         /// <summary>Whether it is a smooth perfect conductor without layers.</summary>
         public bool IsConductor => HalfSpace == null && Layers.Count == 0 && Roughness == 0;
@@ -108,6 +149,12 @@ namespace Glint.Core
 
         /// <inheritdoc/>
         public override int GetHashCode() => _text.GetHashCode();
+
+        static void RequireWithin(string name, string noun, double value, Interval range)
+        {
+            if (!range.Contains(value))
+                throw new GlintException($"material '{name}': its {noun} {Medium.Number(value)} must be {range}");
+        }
 
         void RequireData(Medium medium, string part, double frequency)
         {

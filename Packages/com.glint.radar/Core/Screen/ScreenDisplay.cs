@@ -18,16 +18,16 @@ namespace Glint.Core
     public struct ScreenDisplay
     {
         /// <summary>The numbers, in the order of the declaration.</summary>
-        public static readonly IReadOnlyList<Measure> Measures = new[]
+        public static readonly IReadOnlyList<Measure> Measures = new MeasureList<ScreenDisplay>
         {
-            Of(nameof(Side), it => it.Side, "Side", "pixels", Interval.Closed(64, 4096),
-                "Pixels along a side of the picture. Used when the component is enabled."),
-            Of(nameof(RangeRings), it => it.RangeRings, "Range Rings", "", Interval.Closed(0, 20),
-                "Rings of equal distance; the last one is the edge. 0: none."),
-            Of(nameof(BearingLine), it => it.BearingLine, "Bearing Line", "deg", Interval.Closed(-360, 360),
-                "True bearing of the electronic bearing line, clockwise from north."),
-            Of(nameof(RangeMarker), it => it.RangeMarker, "Range Marker", "m", Interval.Closed(0, 1e6),
-                "Radius of the variable range marker. 0: none.")
+            { nameof(Side), it => it.Side, "Side", "pixels", Interval.Closed(64, 4096),
+                "Pixels along a side of the picture. Used when the component is enabled." },
+            { nameof(RangeRings), it => it.RangeRings, "Range Rings", "", Interval.Closed(0, 20),
+                "Rings of equal distance; the last one is the edge. 0: none." },
+            { nameof(BearingLine), it => it.BearingLine, "Bearing Line", "deg", Interval.Closed(-360, 360),
+                "True bearing of the electronic bearing line, clockwise from north." },
+            { nameof(RangeMarker), it => it.RangeMarker, "Range Marker", "m", Interval.Closed(0, 1e6),
+                "Radius of the variable range marker. 0: none." }
         };
 
         /// <summary>Head-up or north-up.</summary>
@@ -63,8 +63,5 @@ namespace Glint.Core
             foreach (var measure in Measures)
                 Require.Within(subject, measure, this);
         }
-
-        static Measure Of(string field, Func<ScreenDisplay, double> value, string title, string unit, Interval range,
-            string help) => new Measure(field, settings => value((ScreenDisplay)settings), title, unit, range, help);
     }
 }

@@ -50,6 +50,8 @@ namespace Glint.Core
             NoiseGain = 1 / (1 + 2 * Pulse.Skip(1).Sum(weight => (double)weight * weight));
             FillFactor = Math.Sqrt(2.0 / 3 * PulseLength / CellSize * NoiseGain);
             AmplitudeAtOne = Amplitude(1, 1, 0);
+            // The field out and back.
+            ElevationExponent = 2 * AntennaPattern.GaussianExponent(radar.VerticalBeamWidth);
             RainAmplitude = RainOf(radar);
         }
 
@@ -95,11 +97,17 @@ namespace Glint.Core
         /// <summary>Amplitude in units of an echo of one square metre at one metre, in the middle of the beam.</summary>
         public double AmplitudeAtOne { get; }
 
+        /// <summary>The amplitude falls with exp(-this elevation^2), the elevation in radians.</summary>
+        public double ElevationExponent { get; }
+
         /// <summary>
         /// Root of the power of the rain's echo in a spoke, in units, times the range in cells. The drops are those of
         /// Marshall and Palmer, Z = 200 r^1.6 mm6/m3 at r mm/h, and scatter as Rayleigh's spheres.
         /// </summary>
         public double RainAmplitude { get; }
+
+        /// <summary>The spoke of an offset from the antenna, metres: x to the east, z to the north.</summary>
+        public int SpokeOf(double3 offset) => SpokeOf(Math.Atan2(offset.x, offset.z) / (2 * Math.PI));
 
         /// <summary>The spoke of a bearing.</summary>
         /// <param name="turns">From north, any number of turns.</param>
@@ -127,7 +135,7 @@ namespace Glint.Core
             var point = new ScreenPoint
             {
                 Position = (float3)way, Cell = Math.Min((int)(range / CellSize), Radar.Cells - 1),
-                Spoke = SpokeOf(Math.Atan2(way.x, way.z) / (2 * Math.PI))
+                Spoke = SpokeOf(way)
             };
             double amplitude = Amplitude(section, range, Math.Atan2(way.y - ClutterGeometry.DropAt(distance), distance))
                 * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);

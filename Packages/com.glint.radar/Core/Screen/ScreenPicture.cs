@@ -131,6 +131,19 @@ namespace Glint.Core
         /// <summary>The colours.</summary>
         public ScreenColours Colours;
 
+        /// <summary>Colours the pixel of a place.</summary>
+        /// <param name="pixels">Of <see cref="ScreenPicture.Draw"/>.</param>
+        /// <param name="turns">True bearing.</param>
+        /// <param name="range">As a part of the range scale, 0 to 1.</param>
+        public void Mark(byte[] pixels, double turns, double range)
+        {
+            double angle = 2 * Math.PI * (turns - Up), half = Side / 2.0;
+            int x = Math.Min(Side - 1, (int)(half + half * range * Math.Sin(angle))),
+                y = Math.Min(Side - 1, (int)(half + half * range * Math.Cos(angle)));
+            for (int i = 0; i < 3; i++)
+                pixels[4 * (y * Side + x) + i] = (byte)Math.Round(255 * Colours.Marker[i]);
+        }
+
         /// <summary>The view of a display.</summary>
         /// <param name="headingTurns">Of the own ship, from north.</param>
         /// <param name="front">The spoke that was finished last.</param>
@@ -144,13 +157,12 @@ namespace Glint.Core
             return new ScreenView
             {
                 Side = display.Side, Up = up - Math.Floor(up), Front = (int)(front & (spokes - 1)),
-                FadeASpoke = new double2(PerSpoke(receiver.PersistenceTurns), PerSpoke(receiver.TrailTurns)),
+                FadeASpoke = receiver.FadeATurn / spokes,
                 RingSpacing = display.RangeRings > 0 ? half / display.RangeRings : 0,
                 HeadingLine = Line(display.HasHeadingLine, headingTurns),
                 BearingLine = Line(display.HasBearingLine, display.BearingLine / 360),
                 Marker = display.RangeMarker / geometry.Radar.RangeScale * half, Colours = colours
             };
-            double PerSpoke(double turns) => turns > 0 ? 1 / (turns * spokes) : 0;
         }
     }
 

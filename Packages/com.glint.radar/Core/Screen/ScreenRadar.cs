@@ -13,35 +13,36 @@ namespace Glint.Core
         static readonly Interval s_fractions = Interval.Closed(0, 1);
 
         /// <summary>The numbers, in the order of the declaration.</summary>
-        public static readonly IReadOnlyList<Measure> Measures = new[]
+        public static readonly IReadOnlyList<Measure> Measures = new MeasureList<ScreenRadar>
         {
-            Of(nameof(Frequency), it => it.Frequency, "Frequency", "Hz", SeaScattering.Frequencies,
-                "Frequency of the transmitter."),
-            Of(nameof(Power), it => it.Power, "Power", "W", Interval.Closed(1e-3, 1e8), "Peak power of a pulse."),
-            Of(nameof(PulseNanoseconds), it => it.PulseNanoseconds, "Pulse", "ns", Interval.Closed(10, 10000),
-                "Length of a pulse. Its inverse is the bandwidth of the receiver."),
-            Of(nameof(NoiseFigureDb), it => it.NoiseFigureDb, "Noise Figure", "dB", Interval.Closed(0, 100),
-                "Noise figure of the receiver."),
-            Of(nameof(LossDb), it => it.LossDb, "Loss", "dB", Interval.Closed(0, 100),
-                "Losses of transmitter, lines and receiver together."),
-            Of(nameof(BeamWidth), it => it.BeamWidth, "Beam Width", "deg", Interval.Closed(0.1, 30),
-                "Horizontal width of the beam between the points of half power."),
-            Of(nameof(VerticalBeamWidth), it => it.VerticalBeamWidth, "Vertical Beam Width", "deg",
-                Interval.Closed(1, 179), "Vertical width of the beam between the points of half power."),
-            Of(nameof(TurnsAMinute), it => it.TurnsAMinute, "Turns a Minute", "", Interval.Closed(1, 240),
-                "Turns of the antenna a minute, clockwise."),
-            Of(nameof(RangeScale), it => it.RangeScale, "Range Scale", "m", Interval.Closed(100, 2e5),
-                "Range at the edge of the picture. A nautical mile is 1,852 m."),
-            Of(nameof(Spokes), it => it.Spokes, "Spokes", "", Interval.Closed(256, 16384),
-                "Bearings of a turn, a power of two. At least three across the beam."),
-            Of(nameof(Cells), it => it.Cells, "Cells", "", Interval.Closed(64, 8192),
-                "Range cells from the radar to the edge of the picture."),
-            Of(nameof(SeaReflection), it => it.SeaReflection, "Sea Reflection", "", s_fractions,
-                "Amplitude of the image of a reflector in a smooth sea, which interferes with the direct echo. 0: none."),
-            Of(nameof(RainRate), it => it.RainRate, "Rain", "mm/h", Interval.Closed(0, 100),
-                "Rain around the radar: its echo, without attenuation."),
-            Of(nameof(Seed), it => it.Seed, "Seed", "", Interval.Closed(0, int.MaxValue),
-                "Seed of noise and speckle. The same number gives the same picture.")
+            { nameof(Frequency), it => it.Frequency, "Frequency", "Hz", SeaScattering.Frequencies,
+                "Frequency of the transmitter." },
+            { nameof(Power), it => it.Power, "Power", "W", Interval.Closed(1e-3, 1e8), "Peak power of a pulse." },
+            { nameof(PulseNanoseconds), it => it.PulseNanoseconds, "Pulse", "ns", Interval.Closed(10, 10000),
+                "Length of a pulse. Its inverse is the bandwidth of the receiver." },
+            { nameof(NoiseFigureDb), it => it.NoiseFigureDb, "Noise Figure", "dB", Interval.Closed(0, 100),
+                "Noise figure of the receiver." },
+            { nameof(LossDb), it => it.LossDb, "Loss", "dB", Interval.Closed(0, 100),
+                "Losses of transmitter, lines and receiver together." },
+            { nameof(BeamWidth), it => it.BeamWidth, "Beam Width", "deg", Interval.Closed(0.1, 30),
+                "Horizontal width of the beam between the points of half power." },
+            { nameof(VerticalBeamWidth), it => it.VerticalBeamWidth, "Vertical Beam Width", "deg",
+                Interval.Closed(1, 179), "Vertical width of the beam between the points of half power." },
+            { nameof(TurnsAMinute), it => it.TurnsAMinute, "Turns a Minute", "", Interval.Closed(1, 240),
+                "Turns of the antenna a minute, clockwise." },
+            { nameof(RangeScale), it => it.RangeScale, "Range Scale", "m", Interval.Closed(100, 2e5),
+                "Range at the edge of the picture. A nautical mile is 1,852 m." },
+            { nameof(Spokes), it => it.Spokes, "Spokes", "", Interval.Closed(256, 16384),
+                "Bearings of a turn, a power of two. At least three across the beam." },
+            { nameof(Cells), it => it.Cells, "Cells", "", Interval.Closed(64, 8192),
+                "Range cells from the radar to the edge of the picture." },
+            { nameof(SeaReflection), it => it.SeaReflection, "Sea Reflection", "", s_fractions,
+                "Amplitude of the image of a reflector in a smooth sea, which interferes with the direct echo. "
+                    + "0: none." },
+            { nameof(RainRate), it => it.RainRate, "Rain", "mm/h", Interval.Closed(0, 100),
+                "Rain around the radar: its echo, without attenuation." },
+            { nameof(Seed), it => it.Seed, "Seed", "", Interval.Closed(0, int.MaxValue),
+                "Seed of noise and speckle. The same number gives the same picture." }
         };
 
         /// <summary>Hertz.</summary>
@@ -116,8 +117,6 @@ namespace Glint.Core
                     + "or a larger scale");
         }
 
-        static Measure Of(string field, Func<ScreenRadar, double> value, string title, string unit, Interval range,
-            string help) => new Measure(field, settings => value((ScreenRadar)settings), title, unit, range, help);
     }
 
     /// <summary>What a radar with a screen sends and receives.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Mathematics;
 
 namespace Glint.Core
 {
@@ -10,23 +11,23 @@ namespace Glint.Core
         static readonly Interval s_fractions = Interval.Closed(0, 1);
 
         /// <summary>The numbers, in the order of the declaration.</summary>
-        public static readonly IReadOnlyList<Measure> Measures = new[]
+        public static readonly IReadOnlyList<Measure> Measures = new MeasureList<ScreenReceiver>
         {
-            Of(nameof(GainDb), it => it.GainDb, "Gain", "dB", Interval.Closed(-100, 100),
-                "Added to the level over noise before it is shown. -10 hides nearly all noise, 0 shows it."),
-            Of(nameof(DynamicRangeDb), it => it.DynamicRangeDb, "Dynamic Range", "dB", Interval.Closed(1, 150),
-                "Levels from black to full brightness."),
-            Of(nameof(SensitivityTimeRange), it => it.SensitivityTimeRange, "Sensitivity Time", "m",
+            { nameof(GainDb), it => it.GainDb, "Gain", "dB", Interval.Closed(-100, 100),
+                "Added to the level over noise before it is shown. -10 hides nearly all noise, 0 shows it." },
+            { nameof(DynamicRangeDb), it => it.DynamicRangeDb, "Dynamic Range", "dB", Interval.Closed(1, 150),
+                "Levels from black to full brightness." },
+            { nameof(SensitivityTimeRange), it => it.SensitivityTimeRange, "Sensitivity Time", "m",
                 Interval.Closed(0, 1e5),
-                "Range up to which the gain rises with the cube of the range, against clutter of the sea. 0: none."),
-            Of(nameof(RainFilter), it => it.RainFilter, "Rain Filter", "", s_fractions,
-                "Share of the level one pulse nearer that is subtracted: shows where areas of echo begin. 0: none."),
-            Of(nameof(ClutterFilter), it => it.ClutterFilter, "Clutter Filter", "", s_fractions,
-                "Share of the mean level around a cell that is subtracted. 0: none."),
-            Of(nameof(PersistenceTurns), it => it.PersistenceTurns, "Persistence", "turns", Interval.Closed(0, 100),
-                "Turns in which a picture fades to 1/e. 0: it does not fade, and the next turn replaces it."),
-            Of(nameof(TrailTurns), it => it.TrailTurns, "Trails", "turns", Interval.Closed(0, 10000),
-                "Turns in which trails fade to 1/e. They are relative to the own ship. 0: none.")
+                "Range up to which the gain rises with the cube of the range, against clutter of the sea. 0: none." },
+            { nameof(RainFilter), it => it.RainFilter, "Rain Filter", "", s_fractions,
+                "Share of the level one pulse nearer that is subtracted: shows where areas of echo begin. 0: none." },
+            { nameof(ClutterFilter), it => it.ClutterFilter, "Clutter Filter", "", s_fractions,
+                "Share of the mean level around a cell that is subtracted. 0: none." },
+            { nameof(PersistenceTurns), it => it.PersistenceTurns, "Persistence", "turns", Interval.Closed(0, 100),
+                "Turns in which a picture fades to 1/e. 0: it does not fade, and the next turn replaces it." },
+            { nameof(TrailTurns), it => it.TrailTurns, "Trails", "turns", Interval.Closed(0, 10000),
+                "Turns in which trails fade to 1/e. They are relative to the own ship. 0: none." }
         };
 
         /// <summary>dB.</summary>
@@ -50,6 +51,14 @@ namespace Glint.Core
         /// <summary>Turns in which trails fade to 1/e; 0: no trails.</summary>
         public double TrailTurns;
 
+        /// <summary>
+        /// Exponents of the fading of video and trails in a turn; 0: they do not fade, and the next turn replaces them.
+        /// </summary>
+        public double2 FadeATurn => new double2(FadeOf(PersistenceTurns), FadeOf(TrailTurns));
+
+        /// <summary>What the next turn keeps of video and trails.</summary>
+        public double2 KeptATurn => math.select(math.exp(-FadeATurn), 0, FadeATurn == 0);
+
         /// <summary>No filters, a picture that fades over two turns.</summary>
         public static ScreenReceiver Default => new ScreenReceiver
         {
@@ -63,7 +72,6 @@ namespace Glint.Core
                 Require.Within(subject, measure, this);
         }
 
-        static Measure Of(string field, Func<ScreenReceiver, double> value, string title, string unit, Interval range,
-            string help) => new Measure(field, settings => value((ScreenReceiver)settings), title, unit, range, help);
+        static double FadeOf(double turns) => turns > 0 ? 1 / turns : 0;
     }
 }

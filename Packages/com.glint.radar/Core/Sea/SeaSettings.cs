@@ -27,35 +27,35 @@ namespace Glint.Core
             s_seeds = Interval.Closed(0, int.MaxValue), s_jonswapFetches = Interval.Closed(100, MaxFetch);
 
         /// <summary>The numbers of a sea, in the order of the declaration, without the height factor.</summary>
-        public static readonly IReadOnlyList<Measure> Measures = new[]
+        public static readonly IReadOnlyList<Measure> Measures = new MeasureList<SeaSettings>
         {
-            Of(nameof(SignificantWaveHeight), it => it.SignificantWaveHeight, "Wave Height", "m", Heights,
+            { nameof(SignificantWaveHeight), it => it.SignificantWaveHeight, "Wave Height", "m", Heights,
                 "Significant wave height: four standard deviations of the height, over all snapshots. 0: that of the "
-                    + "wind, not with Phillips."),
-            Of(nameof(WindSpeed), it => it.WindSpeed, "Wind", "m/s", Winds,
+                    + "wind, not with Phillips." },
+            { nameof(WindSpeed), it => it.WindSpeed, "Wind", "m/s", Winds,
                 "Wind speed 10 m above the sea: more wind, longer waves. Their height follows it if Wave Height is 0. "
-                    + "Elfouhaily: 3 to 20."),
-            Of(nameof(WindDirectionDegrees), it => it.WindDirectionDegrees, "Wind Direction", "deg", Directions,
-                "Direction in which wind and waves travel, as a rotation about Y: 0 to +Z, 90 to +X."),
-            Of(nameof(Choppiness), it => it.Choppiness, "Choppiness", "", Choppinesses,
+                    + "Elfouhaily: 3 to 20." },
+            { nameof(WindDirectionDegrees), it => it.WindDirectionDegrees, "Wind Direction", "deg", Directions,
+                "Direction in which wind and waves travel, as a rotation about Y: 0 to +Z, 90 to +X." },
+            { nameof(Choppiness), it => it.Choppiness, "Choppiness", "", Choppinesses,
                 "Horizontal displacement relative to that of deep-water waves. Above 1 the crests of steep waves "
-                    + "curl over."),
-            Of(nameof(TileSize), it => it.TileSize, "Tile", "m", Tiles,
-                "Side of the repeated tile: a multiple of 1/1024 m. No wave is longer."),
-            Of(nameof(GridSize), it => it.GridSize, "Grid", "", Grids,
+                    + "curl over." },
+            { nameof(TileSize), it => it.TileSize, "Tile", "m", Tiles,
+                "Side of the repeated tile: a multiple of 1/1024 m. No wave is longer." },
+            { nameof(GridSize), it => it.GridSize, "Grid", "", Grids,
                 "Points of the wave grid along a side, a power of two. The shortest wave is nearly twice the tile's "
-                    + "size over this number."),
-            Of(nameof(Cells), it => it.Cells, "Cells", "", CellCounts,
+                    + "size over this number." },
+            { nameof(Cells), it => it.Cells, "Cells", "", CellCounts,
                 "Cells of the mesh along a side of the tile, of two triangles each. They sample the sea without "
-                    + "changing it."),
-            Of(nameof(ShortestWave), it => it.ShortestWave, "Shortest Wave", "m", s_shortest,
-                "Shorter waves are left out; at most half the tile. 0: all are kept."),
-            Of(nameof(Fetch), it => it.Fetch, "Fetch", "m", Fetches,
-                "Length of water that the wind has blown over. JONSWAP: 100 or more. Elfouhaily: 0 is unlimited."),
-            Of(nameof(PeakEnhancement), it => it.PeakEnhancement, "Peak Enhancement", "", PeakEnhancements,
-                "Height of the peak relative to that of a fully developed sea. JONSWAP only."),
-            Of(nameof(Seed), it => it.Seed, "Seed", "", s_seeds,
-                "Seed of the sea's random phases and heights. The same number gives the same sea.")
+                    + "changing it." },
+            { nameof(ShortestWave), it => it.ShortestWave, "Shortest Wave", "m", s_shortest,
+                "Shorter waves are left out; at most half the tile. 0: all are kept." },
+            { nameof(Fetch), it => it.Fetch, "Fetch", "m", Fetches,
+                "Length of water that the wind has blown over. JONSWAP: 100 or more. Elfouhaily: 0 is unlimited." },
+            { nameof(PeakEnhancement), it => it.PeakEnhancement, "Peak Enhancement", "", PeakEnhancements,
+                "Height of the peak relative to that of a fully developed sea. JONSWAP only." },
+            { nameof(Seed), it => it.Seed, "Seed", "", s_seeds,
+                "Seed of the sea's random phases and heights. The same number gives the same sea." }
         };
 
         /// <summary>Distribution of the variance over wavelengths.</summary>
@@ -158,9 +158,6 @@ namespace Glint.Core
             Check(subject, "height factor", HeightFactor, s_factors, "", "1 leaves the height as asked for");
         }
 
-        static Measure Of(string field, Func<SeaSettings, double> value, string title,
-            string unit, Interval range, string help) =>
-            new Measure(field, settings => value((SeaSettings)settings), title, unit, range, help);
 
         static void Check(string subject, string name, double value, Interval range, string unit, string wayOut)
         {

@@ -10,38 +10,38 @@ namespace Glint.Core
     public struct ShipSettings
     {
         /// <summary>Every field, in the order of the declaration.</summary>
-        public static readonly IReadOnlyList<Measure> Measures = new[]
+        public static readonly IReadOnlyList<Measure> Measures = new MeasureList<ShipSettings>
         {
-            Of(nameof(Length), it => it.Length, "Length", "m", 55, 90, "Length from the stern to the tip of the bow."),
-            Of(nameof(Beam), it => it.Beam, "Beam", "m", 11, 16, "Maximum width of the deck."),
-            Of(nameof(Freeboard), it => it.Freeboard, "Freeboard", "m", 1.5, 6,
-                "Height above the water of the deck aft of the deckhouse."),
-            Of(nameof(Forecastle), it => it.Forecastle, "Forecastle", "m", 0, 3,
-                "Height of the deck before the deckhouse above the deck aft of it."),
-            Of(nameof(Draught), it => it.Draught, "Draught", "m", 2, 8, "Depth of the keel below the water."),
-            Of(nameof(Sheer), it => it.Sheer, "Sheer", "m", 0, 3, "Rise of the deck from the deckhouse to the bow."),
-            Of(nameof(Rake), it => it.Rake, "Rake", "m", 0, 6,
-                "Overhang of the bow's tip beyond the stem at the water."),
-            Of(nameof(Flare), it => it.Flare, "Flare", "", 0, 0.8,
-                "Flare of the bow between keel and deck: 0 is as upright as amidships."),
-            Of(nameof(Transom), it => it.Transom, "Transom", "of the beam", 0.4, 1,
-                "Width of the flat transom at the deck."),
-            Of(nameof(HouseFront), it => it.HouseFront, "House Front", "of the length", 0.28, 0.36,
+            { nameof(Length), it => it.Length, "Length", "m", 55, 90, "Length from the stern to the tip of the bow." },
+            { nameof(Beam), it => it.Beam, "Beam", "m", 11, 16, "Maximum width of the deck." },
+            { nameof(Freeboard), it => it.Freeboard, "Freeboard", "m", 1.5, 6,
+                "Height above the water of the deck aft of the deckhouse." },
+            { nameof(Forecastle), it => it.Forecastle, "Forecastle", "m", 0, 3,
+                "Height of the deck before the deckhouse above the deck aft of it." },
+            { nameof(Draught), it => it.Draught, "Draught", "m", 2, 8, "Depth of the keel below the water." },
+            { nameof(Sheer), it => it.Sheer, "Sheer", "m", 0, 3, "Rise of the deck from the deckhouse to the bow." },
+            { nameof(Rake), it => it.Rake, "Rake", "m", 0, 6,
+                "Overhang of the bow's tip beyond the stem at the water." },
+            { nameof(Flare), it => it.Flare, "Flare", "", 0, 0.8,
+                "Flare of the bow between keel and deck: 0 is as upright as amidships." },
+            { nameof(Transom), it => it.Transom, "Transom", "of the beam", 0.4, 1,
+                "Width of the flat transom at the deck." },
+            { nameof(HouseFront), it => it.HouseFront, "House Front", "of the length", 0.28, 0.36,
                 "Distance from midships forward to the flat front of the deckhouse. With the deck before it it is a "
-                    + "dihedral: the bow-on peak."),
-            Of(nameof(HouseAft), it => it.HouseAft, "House Aft", "of the length", 0.2, 0.34,
+                    + "dihedral: the bow-on peak." },
+            { nameof(HouseAft), it => it.HouseAft, "House Aft", "of the length", 0.2, 0.34,
                 "Distance from midships aft to the flat end of the deckhouse. With the deck behind it it is a "
-                    + "dihedral: the stern-on peak."),
-            Of(nameof(StoreyHeight), it => it.StoreyHeight, "Storey Height", "m", 2, 4,
-                "Height of each of the three storeys: deckhouse, upper house and bridge."),
-            Of(nameof(Windows), it => it.Windows, "Windows", "", 1, 15,
-                "Windows across the bridge's front; each side has two thirds as many."),
-            Of(nameof(WindowDepth), it => it.WindowDepth, "Window Depth", "m", 0.02, 0.5,
-                "Depth of the windows in the bridge. Sill, jambs and pane are small corner reflectors."),
-            Of(nameof(MastHeight), it => it.MastHeight, "Mast Height", "m", 5, 20,
-                "Height of the mast's top over the bridge's roof."),
-            Of(nameof(Triangles), it => it.Triangles, "Triangles", "", 15000, 200000,
-                "Triangles of the whole ship, within 2 %.")
+                    + "dihedral: the stern-on peak." },
+            { nameof(StoreyHeight), it => it.StoreyHeight, "Storey Height", "m", 2, 4,
+                "Height of each of the three storeys: deckhouse, upper house and bridge." },
+            { nameof(Windows), it => it.Windows, "Windows", "", 1, 15,
+                "Windows across the bridge's front; each side has two thirds as many." },
+            { nameof(WindowDepth), it => it.WindowDepth, "Window Depth", "m", 0.02, 0.5,
+                "Depth of the windows in the bridge. Sill, jambs and pane are small corner reflectors." },
+            { nameof(MastHeight), it => it.MastHeight, "Mast Height", "m", 5, 20,
+                "Height of the mast's top over the bridge's roof." },
+            { nameof(Triangles), it => it.Triangles, "Triangles", "", 15000, 200000,
+                "Triangles of the whole ship, within 2 %." }
         };
 
         /// <summary>Length from the stern to the tip of the bow, metres: 55 to 90.</summary>
@@ -137,9 +137,5 @@ namespace Glint.Core
                         + $"{RadarSettings.Text(measure.Of(this))}{unit} must be {measure.Range}{unit}");
                 }
         }
-
-        static Measure Of(string field, Func<ShipSettings, double> value, string title,
-            string unit, double from, double to, string help) =>
-            new Measure(field, settings => value((ShipSettings)settings), title, unit, Interval.Closed(from, to), help);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Glint.Core
 {
@@ -43,5 +44,16 @@ namespace Glint.Core
 
         /// <summary>The value among settings.</summary>
         public double Of(object settings) => _value(settings);
+    }
+
+    /// <summary>The numbers of settings of one type.</summary>
+    sealed class MeasureList<TSettings> : List<Measure>
+    {
+        public void Add(string field, Func<TSettings, double> value, string title, string unit, Interval range,
+            string help) =>
+            Add(new Measure(field, settings => value((TSettings)settings), title, unit, range, help));
+
+        public void Add(string field, Func<TSettings, double> value, string title, string unit, double from, double to,
+            string help) => Add(field, value, title, unit, Interval.Closed(from, to), help);
     }
 }

@@ -62,6 +62,15 @@ namespace Glint.Core
             return new double2(Each(width, range), Each(height, range));
         }
 
+        /// <summary>A,B.</summary>
+        public static double2 Pair(string text, Interval range)
+        {
+            var parts = text.Split(',');
+            if (parts.Length != 2 || !TryReal(parts[0], out double first) || !TryReal(parts[1], out double second))
+                throw new FormatException("must be two numbers, such as 1.2,22");
+            return new double2(Each(first, range), Each(second, range));
+        }
+
         /// <summary>X,Y,Z.</summary>
         public static double3 Point(string text, Interval range)
         {

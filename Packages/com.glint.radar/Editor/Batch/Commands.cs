@@ -259,7 +259,8 @@ namespace Glint.Editor
                 {
                     "The scene has one RadarScreen, whose settings hold. Ships with Underway move, and seas whose motion "
                         + "is Waves; scripts do not run.",
-                    "video.npz has bearing_deg, range_m, power_dbw and video (spoke by cell), noise_dbw and heading_deg. "
+                    "picture.png is the picture, results.json has the settings. video.npz has bearing_deg, range_m, "
+                        + "power_dbw and video (spoke by cell), noise_dbw and heading_deg. "
                         + "Powers are those behind beam and pulse, before the receiver's controls.",
                     "Without --out the files go to Results/<name of the scene>-ppi beside the project's Assets."
                 },
@@ -275,7 +276,7 @@ namespace Glint.Editor
 
         /// <summary>Makes an HTML report of results.</summary>
         public static readonly Command Report = new Command("report", "Write one HTML file of a sweep, run, "
-            + "cross sections, range profiles or sea clutter that opens offline: charts, table, and the scene in 3-D "
+            + "cross sections, range profiles, sea clutter or a radar screen that opens offline: charts, table, and the scene in 3-D "
             + "with its received rays or hot spots.")
         {
             Inputs = InputKind.Results,

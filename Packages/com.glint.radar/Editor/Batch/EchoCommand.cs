@@ -28,6 +28,8 @@ namespace Glint.Editor
             if (settings.Detection != null && settings.Radar?.NoiseFigureDb == null && opened.scene.Seas.Count == 0)
                 throw new UsageException($"{EchoOptions.Detect.Flag}: there is nothing but echoes to detect in: give "
                     + $"{EchoOptions.NoiseFigure.Flag}, or a scene with a Sea whose clutter is on");
+            if (settings.Radar?.Antenna is EchoAntenna antenna)
+                RequireInBeam(antenna, setup, opened.name);
             Describe(settings.BandOf(plan), reach, opened.name, progress);
             if (plan.Pulses != null)
                 DescribePulses(settings.BandOf(plan), plan, opened.scene, opened.name, progress);
@@ -41,6 +43,16 @@ namespace Glint.Editor
                 return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
                     progress);
             }
+        }
+
+        // The gain towards the phase centre is that of the whole target.
+        static void RequireInBeam(EchoAntenna antenna, CrossSectionSetup setup, string name)
+        {
+            double angle = math.degrees(2 * Math.Atan(setup.Extent / setup.Range)),
+                atMost = EchoAntenna.MaxPartOfBeam * antenna.Width;
+            if (angle > atMost)
+                throw new GlintException(FormattableString.Invariant(
+                    $"{name}: the target is {angle:g3} degrees wide at {CrossSectionOptions.Range.Flag} {setup.Range:g6}, and all of it gets the gain of the phase centre: it may take {atMost:g3} degrees, a tenth of the beam; give a range of {Math.Ceiling(setup.Extent / Math.Tan(math.radians(atMost / 2))):g6} m or more, a wider {EchoOptions.Beam.Flag}, or no {EchoOptions.AntennaPattern.Flag}"));
         }
 
         static void Move(RadarScene scene, RigidMotion motion)

@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
@@ -16,7 +17,8 @@ namespace Glint.Editor
             s_decibels = Interval.Closed(0, 100), s_seed = Interval.Closed(0, int.MaxValue),
             s_pulses = Interval.Closed(2, 1 << 16), s_repetition = Interval.Closed(1e-3, 1e9),
             s_speed = Interval.Closed(-1e4, 1e4), s_turnRate = Interval.Closed(-3600, 3600),
-            s_falseAlarm = Interval.Closed(1e-12, 0.5);
+            s_falseAlarm = Interval.Closed(1e-12, 0.5), s_widths = Interval.Closed(0.01, 179),
+            s_angles = Interval.Closed(-179, 179);
 
         /// <summary>Middle of the band, hertz.</summary>
         public static readonly Option<double> Frequency = Options.Number("frequency", "HZ", "10e9",
@@ -60,7 +62,7 @@ namespace Glint.Editor
             };
 
         /// <summary>Pulse repetition frequency, hertz.</summary>
-        public static readonly Option<double> Repetition = Needing(Pulses, Options.Number("prf", "HZ", "1000",
+        public static readonly Option<double> Repetition = Options.Needing(Pulses, Options.Number("prf", "HZ", "1000",
             s_repetition, PulseGroup, InputKind.Any, "Pulse repetition frequency in hertz. Speeds are unambiguous up "
                 + "to half of the blind speed, lambda PRF / 2; a bin of speed is the blind speed over M."));
 
@@ -92,15 +94,68 @@ namespace Glint.Editor
             };
 
         /// <summary>Gain of the antenna, decibels.</summary>
-        public static readonly Option<double> Gain = Needing(Power, Options.Number("gain", "DBI", "0", s_gain,
-            RadarGroup, InputKind.Any, "Gain in dBi of the antenna, which sends and receives."));
+        public static readonly Option<double?> Gain = Options.Needing(Power,
+            new Option<double?>("gain", "DBI", text => Values.Real(text, s_gain))
+            {
+                Group = RadarGroup,
+                Range = s_gain.ToString(),
+                Help = "Gain in dBi of the antenna, which sends and receives, in the middle of its beam. Without it: "
+                    + "10 log10(26000 / (AZ EL)) of the beam widths of --antenna, without that 0."
+            });
+
+        /// <summary>Name of a pattern, or the file of a table; null when not given.</summary>
+        public static readonly Option<string> AntennaPattern = Options.Needing(Power,
+            new Option<string>("antenna", "PATTERN", Values.NotEmpty)
+            {
+                Group = RadarGroup,
+                Choices = EchoAntenna.Names,
+                Help = "Pattern of the antenna: gaussian, sinc (sidelobes of -13 dB), csc2 (in elevation), or a CSV "
+                    + "file with the columns angle_deg, azimuth_db and elevation_db, levels over the gain. The whole "
+                    + "target has the gain of the phase centre: it may take a tenth of the beam. Without it: the same "
+                    + "gain everywhere."
+            });
+
+        /// <summary>Beam widths in azimuth and elevation, degrees; null when not given.</summary>
+        public static readonly Option<double2?> Beam = Options.Needing(AntennaPattern,
+            new Option<double2?>("beam", "AZ,EL", text => Values.Pair(text, s_widths))
+            {
+                Group = RadarGroup,
+                Range = "each " + s_widths,
+                Help = "Beam widths between the points of half power, in azimuth and in elevation, in degrees. A file "
+                    + "has its own."
+            });
+
+        /// <summary>Where the cosecant begins and ends, degrees; null when not given.</summary>
+        public static readonly Option<double2?> Cosecant = Options.Needing(AntennaPattern,
+            new Option<double2?>("cosecant", "FROM,TO", text => Values.Pair(text, s_angles))
+            {
+                Group = RadarGroup,
+                Range = "each " + s_angles,
+                Help = "Elevations from the middle of the beam between which the power of csc2 falls with 1 / sin^2, "
+                    + "in degrees, negative downwards."
+            });
+
+        /// <summary>Azimuth of the beam's middle from the phase centre, degrees.</summary>
+        public static readonly Option<double> Squint = Options.Needing(AntennaPattern, Options.Number("squint", "DEG", "0",
+            s_angles, RadarGroup, InputKind.Any,
+            "Azimuth of the middle of the beam from the direction to the phase centre in degrees, to the right."));
+
+        /// <summary>Elevation of the beam's middle, degrees; null when not given.</summary>
+        public static readonly Option<double?> Tilt = Options.Needing(AntennaPattern,
+            new Option<double?>("tilt", "DEG", text => Values.Real(text, s_angles))
+            {
+                Group = RadarGroup,
+                Range = s_angles.ToString(),
+                Help = "Elevation of the middle of the beam over the horizontal in degrees, whatever --elevation is. "
+                    + "Without it: the beam has the elevation of the phase centre."
+            });
 
         /// <summary>Losses, decibels.</summary>
-        public static readonly Option<double> Loss = Needing(Power, Options.Number("loss", "DB", "0", s_decibels,
+        public static readonly Option<double> Loss = Options.Needing(Power, Options.Number("loss", "DB", "0", s_decibels,
             RadarGroup, InputKind.Any, "Losses of transmitter, lines and receiver together in dB."));
 
         /// <summary>Noise figure, decibels; null when not given.</summary>
-        public static readonly Option<double?> NoiseFigure = Needing(Power,
+        public static readonly Option<double?> NoiseFigure = Options.Needing(Power,
             new Option<double?>("noise-figure", "DB", text => Values.Real(text, s_decibels))
             {
                 Group = RadarGroup,
@@ -110,26 +165,15 @@ namespace Glint.Editor
             });
 
         /// <summary>Seed of the noise.</summary>
-        public static readonly Option<int> Seed = Needing(NoiseFigure, Options.Whole("seed", "N", "0", s_seed,
+        public static readonly Option<int> Seed = Options.Needing(NoiseFigure, Options.Whole("seed", "N", "0", s_seed,
             RadarGroup, "Seed of the noise: the same number gives the same noise."));
 
         /// <summary>How targets are detected; null when not given.</summary>
-        public static readonly Option<string> Detect =
-            new Option<string>("detect", "CFAR", ReadDetection)
-            {
-                Group = DetectionGroup,
-                Choices = EchoDetection.Names,
-                Range = "one of " + string.Join(", ", EchoDetection.Names),
-                Help = "Also write detections.csv, the cells of profiles, or of maps with --pulses, above a threshold "
-                    + "of constant false-alarm rate: a multiple of the mean of the cells around (ca), or of the cell "
-                    + "at three quarters of their order (os), which other targets change little. It needs "
-                    + "--noise-figure, or a scene with a Sea whose clutter is on."
-            };
+        public static readonly Option<string> Detect = NewDetect("the cells of profiles, or of maps with --pulses",
+            " It needs --noise-figure, or a scene with a Sea whose clutter is on.");
 
         /// <summary>False alarms a cell.</summary>
-        public static readonly Option<double> FalseAlarm = Needing(Detect, Options.Number("false-alarm", "RATE", "1e-6",
-            s_falseAlarm, DetectionGroup, InputKind.Any,
-            "False alarms a cell in noise. In spiky clutter there are more."));
+        public static readonly Option<double> FalseAlarm = NewFalseAlarm(Detect);
 
         /// <summary>Whether a MAT-file is written.</summary>
         public static readonly Option<bool> Matlab = Options.Switch("mat", ResultGroup,
@@ -142,8 +186,8 @@ namespace Glint.Editor
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All = new Option[]
             {
-                Frequency, Bandwidth, Frequencies, Window, Pulses, Repetition, Velocity, TurnRate, Power, Gain, Loss,
-                NoiseFigure, Seed, Detect, FalseAlarm
+                Frequency, Bandwidth, Frequencies, Window, Pulses, Repetition, Velocity, TurnRate, Power, Gain,
+                AntennaPattern, Beam, Cosecant, Squint, Tilt, Loss, NoiseFigure, Seed, Detect, FalseAlarm
             }.Concat(CrossSectionOptions.All.Where(option =>
                 option != CrossSectionOptions.Frequency && option != CrossSectionOptions.Contributions
                 && option != CrossSectionOptions.Out)).Concat(new Option[] { CrossSectionOptions.Out, Matlab, SigMf })
@@ -207,6 +251,7 @@ namespace Glint.Editor
             if (bandwidth >= 2 * centre)
                 throw new UsageException($"{Bandwidth.Flag} {Numbers.Format(bandwidth)}: must be below twice "
                     + $"{Frequency.Flag}, {Numbers.Format(2 * centre)} Hz");
+            var antenna = AntennaOf(line);
             return new EchoSettings
             {
                 Bandwidth = bandwidth, Window = line.Get(Window), HasMatlab = line.Get(Matlab),
@@ -217,12 +262,49 @@ namespace Glint.Editor
                 Radar = line.Get(Power) is double power
                     ? new EchoRadar
                     {
-                        Power = power, GainDb = line.Get(Gain), LossDb = line.Get(Loss),
+                        Power = power, GainDb = line.Get(Gain) ?? antenna?.UsualGainDb ?? 0, Antenna = antenna,
+                        LossDb = line.Get(Loss),
                         NoiseFigureDb = line.Get(NoiseFigure), Seed = line.Get(Seed),
                         Range = line.Get(CrossSectionOptions.Range).Value
                     }
                     : null
             };
+        }
+
+        static EchoAntenna AntennaOf(CommandLine line)
+        {
+            string pattern = line.Get(AntennaPattern);
+            if (pattern == null)
+                return null;
+            bool isNamed = EchoAntenna.Names.Contains(pattern);
+            Require(line, Beam, pattern, isNamed);
+            Require(line, Cosecant, pattern, pattern == EchoAntenna.Cosecant);
+            var antenna = isNamed
+                ? new EchoAntenna(pattern, line.Get(Beam).Value, line.Get(Cosecant))
+                : Read(pattern);
+            (antenna.Squint, antenna.Tilt) = (line.Get(Squint), line.Get(Tilt));
+            return antenna;
+        }
+
+        static void Require(CommandLine line, Option option, string pattern, bool isNeeded)
+        {
+            if (line.IsGiven(option) != isNeeded)
+                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(pattern)}: "
+                    + (isNeeded ? $"give {option.Flag} {option.ValueName}" : $"it has no {option.Flag}"));
+        }
+
+        static EchoAntenna Read(string path)
+        {
+            try
+            {
+                return new EchoAntenna(File.ReadAllText(path));
+            }
+            catch (Exception problem) when (problem is FormatException || problem is IOException
+                || problem is UnauthorizedAccessException || problem is GlintException)
+            {
+                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(path)}: {problem.Message}; give one of "
+                    + $"{string.Join(", ", EchoAntenna.Names)}, or a file with such a table");
+            }
         }
 
         /// <summary>The plan of a command line, with the frequencies of its band.</summary>
@@ -248,6 +330,24 @@ namespace Glint.Editor
             AngularVelocity = new double3(0, math.radians(line.Get(TurnRate) ?? 0), 0)
         };
 
+        /// <summary>A new option --detect.</summary>
+        /// <param name="cells">What is detected in.</param>
+        internal static Option<string> NewDetect(string cells, string needs = "") =>
+            new Option<string>("detect", "CFAR", ReadDetection)
+            {
+                Group = DetectionGroup,
+                Choices = EchoDetection.Names,
+                Range = "one of " + string.Join(", ", EchoDetection.Names),
+                Help = $"Also write detections.csv, {cells} above a threshold of constant false-alarm rate: a multiple "
+                    + "of the mean of the cells around (ca), or of the cell at three quarters of their order (os), "
+                    + "which other targets change little." + needs
+            };
+
+        /// <summary>A new option --false-alarm.</summary>
+        internal static Option<double> NewFalseAlarm(Option detect) => Options.Needing(detect,
+            Options.Number("false-alarm", "RATE", "1e-6", s_falseAlarm, DetectionGroup, InputKind.Any,
+                "False alarms a cell in noise. In spiky clutter there are more."));
+
         static string ReadWindow(string text)
         {
             Core.Window.Named(text);
@@ -262,13 +362,7 @@ namespace Glint.Editor
         {
             (option.Group, option.Inputs) = (PulseGroup, InputKind.MeshFile);
             option.Refusal = "only for mesh files: objects of a scene have a RadarMotion or Rigidbody of their own";
-            return Needing(Pulses, option);
-        }
-
-        static Option<T> Needing<T>(Option needed, Option<T> option)
-        {
-            option.Needs = new[] { needed };
-            return option;
+            return Options.Needing(Pulses, option);
         }
     }
 }

@@ -390,6 +390,12 @@ namespace Glint.Editor
         internal static Option<string> Text(string name, string valueName, string group, string help) =>
             new Option<string>(name, valueName, Values.NotEmpty) { Group = group, Help = help };
 
+        internal static Option<T> Needing<T>(Option needed, Option<T> option)
+        {
+            option.Needs = new[] { needed };
+            return option;
+        }
+
         static Option<T> OfMesh<T>(Option<T> option)
         {
             (option.Group, option.Inputs, option.Refusal) = (MeshGroup, InputKind.MeshFile, InSceneInstead);

@@ -6,16 +6,12 @@ using System.Linq;
 using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
-using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Glint.Editor
 {
     /// <summary><c>glint ppi</c>: turns of the radar screen of a scene, frame by frame.</summary>
     static class ScreenCommand
     {
-        const string PictureFile = "picture.png", VideoFile = "video.npz";
-
         public static int Execute(CommandLine line, IProgressSink progress)
         {
             LoadedScene.OpenSceneFile(line.Input);
@@ -27,7 +23,12 @@ namespace Glint.Editor
             if (screen.SeaKernel == null)
                 screen.SeaKernel = ProjectAssets.SeaKernel;
             string folder = line.IsGiven(ScreenOptions.Out) ? Path.GetFullPath(line.Get(ScreenOptions.Out))
-                : RunDescription.DefaultFolder(Path.GetFileNameWithoutExtension(line.Input)) + "-ppi";
+                : RunDescription.DefaultFolder(Path.GetFileNameWithoutExtension(line.Input), ResultTable.Screen);
+            if (line.Get(ScreenOptions.Detect) is string level)
+                screen.Detection = new ScreenDetection
+                {
+                    Level = EchoDetection.LevelOf(level), FalseAlarmRate = line.Get(ScreenOptions.FalseAlarm)
+                };
             // The first frame refuses what is wrong, before files are made.
             try
             {
@@ -45,15 +46,13 @@ namespace Glint.Editor
             var play = new ScenePlay(screen);
             play.Advance(line.Get(ScreenOptions.Time), 0);
             using (var output = new VideoOutput(line, screen.Geometry))
+            using (ResultsFolder.Open(folder, ResultTable.Screen))
             {
-                Directory.CreateDirectory(folder);
+                var files = new ScreenFiles(line, screen, folder);
                 int code = Turn(line, play, output, progress);
                 if (code != Batch.Done)
                     return code;
-                string picture = Path.Combine(folder, PictureFile), video = Path.Combine(folder, VideoFile);
-                WritePicture(screen, picture);
-                WriteVideo(screen, video);
-                progress.Print($"written: {string.Join(", ", new[] { picture, video }.Concat(output.Paths))}");
+                progress.Print($"written: {string.Join(", ", files.Write().Concat(output.Paths))}");
             }
             return Batch.Done;
         }
@@ -75,6 +74,8 @@ namespace Glint.Editor
                 frames = (int)Math.Ceiling(turns * 60 / screen.Radar.TurnsAMinute * rate) + 1;
             progress.Print(FormattableString.Invariant(
                 $"{screen.Radar.Spokes} spokes of {screen.Radar.Cells} cells of {screen.Geometry.CellSize:g4} m, noise {PowerLevel.ToDecibels(screen.Geometry.NoisePower):0.0} dBW"));
+            progress.Print(FormattableString.Invariant(
+                $"{screen.PointCount} points on meshes, {screen.PointSpacing:0.00} m apart on large ones, {screen.MeshBytes / 1e6:0.0} MB with their BVHs"));
             progress.Start(line.Input, frames);
             var watch = Stopwatch.StartNew();
             try
@@ -103,47 +104,6 @@ namespace Glint.Editor
         {
             if (seconds > 0)
                 Thread.Sleep(TimeSpan.FromSeconds(seconds));
-        }
-
-        static void WritePicture(RadarScreen screen, string path)
-        {
-            int side = screen.Display.Side;
-            byte[] pixels = Pixels(screen), fromTop = new byte[pixels.Length];
-            for (int row = 0; row < side; row++)
-                Array.Copy(pixels, 4 * side * row, fromTop, 4 * side * (side - 1 - row), 4 * side);
-            using (var file = File.Create(path))
-                PngFile.WriteColour(file, side, fromTop);
-        }
-
-        static byte[] Pixels(RadarScreen screen)
-        {
-            // The texture of a project with linear colours is not encoded as PNG files are.
-            if (screen.Picture == null || QualitySettings.activeColorSpace == ColorSpace.Linear)
-                return screen.ReadPicture();
-            var request = AsyncGPUReadback.Request(screen.Picture);
-            request.WaitForCompletion();
-            if (request.hasError)
-                throw new GlintException($"the picture of '{screen.name}' could not be read back from the device");
-            return request.GetData<byte>().ToArray();
-        }
-
-        static void WriteVideo(RadarScreen screen, string path)
-        {
-            var geometry = screen.Geometry;
-            int spokes = geometry.Radar.Spokes, cells = geometry.Radar.Cells;
-            double noise = PowerLevel.ToDecibels(geometry.NoisePower);
-            int[] both = { spokes, cells };
-            using (var file = File.Create(path))
-            using (var arrays = new NumpyArchive(file))
-            {
-                arrays.Add("bearing_deg", new[] { spokes }, Enumerable.Range(0, spokes).Select(i => 360.0 * i / spokes));
-                arrays.Add("range_m", new[] { cells },
-                    Enumerable.Range(0, cells).Select(i => (i + 0.5) * geometry.CellSize));
-                arrays.Add("power_dbw", both, screen.ReadLevels().Select(level => level + noise));
-                arrays.Add("video", both, screen.ReadVideo().Select(video => (double)video.x));
-                arrays.Add("noise_dbw", new[] { 1 }, new[] { noise });
-                arrays.Add("heading_deg", new[] { 1 }, new[] { screen.HeadingDegrees });
-            }
         }
     }
 

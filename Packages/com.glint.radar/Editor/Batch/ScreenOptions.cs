@@ -9,8 +9,6 @@ namespace Glint.Editor
     {
         const string Group = "Radar screen", VideoGroup = "Radar video (ASTERIX category 240)";
 
-        static readonly Interval s_ports = Interval.Closed(1, 65535);
-
         /// <summary>Turns of the antenna.</summary>
         public static readonly Option<int> Turns = Options.Whole("turns", "N", "2", Interval.Closed(1, 10000), Group,
             "Turns of the antenna. The files have the last one, with what persists of those before.");
@@ -25,7 +23,7 @@ namespace Glint.Editor
 
         /// <summary>Folder for the files; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "DIR", "Results",
-            "Folder for picture.png and video.npz, created with its parents if missing.");
+            "Folder for picture.png, video.npz and results.json, created with its parents if missing.");
 
         /// <summary>File of radar video; null when not given.</summary>
         public static readonly Option<string> Asterix = Options.Text("asterix", "FILE", VideoGroup,
@@ -35,22 +33,32 @@ namespace Glint.Editor
         public static readonly Option<UdpTarget> Udp = new Option<UdpTarget>("udp", "[HOST:]PORT", UdpTarget.Parse)
         {
             Group = VideoGroup,
-            Range = "port " + s_ports,
+            Range = "port " + DatagramSender.Ports,
             Help = "Also send the video by UDP, a datagram a spoke, to a port of a host or of a multicast group, such as "
                 + "239.192.43.78:4378. Without a host: 127.0.0.1. The files are written as fast as the device allows; "
                 + "with this option frames keep to the clock."
         };
 
         /// <summary>Networks that multicast may pass.</summary>
-        public static readonly Option<int> Ttl = new Option<int>("ttl", "N", text => Values.Whole(text,
-            Interval.Closed(0, 255)))
-        {
-            Group = VideoGroup, Range = Interval.Closed(0, 255).ToString(), DefaultText = "1",
-            Needs = new Option[] { Udp }, Help = "Networks that a multicast datagram may pass; 1 is the local one."
-        };
+        public static readonly Option<int> Ttl = Options.Needing(Udp, Options.Whole("ttl", "N", "1",
+            DatagramSender.TimesToLive, VideoGroup, "Networks that a multicast datagram may pass; 1 is the local one."));
+
+        /// <summary>How targets are detected; null when not given.</summary>
+        public static readonly Option<string> Detect = EchoOptions.NewDetect(
+            "the cells of the last turn, along the range of each spoke,", " The picture shows them.");
+
+        /// <summary>False alarms a cell.</summary>
+        public static readonly Option<double> FalseAlarm = EchoOptions.NewFalseAlarm(Detect);
+
+        /// <summary>Whether video.csv is written.</summary>
+        public static readonly Option<bool> Table = Options.Switch("csv", "Results",
+            "Also write video.csv, a line for each cell of the last turn: bearing, range, power and video.");
 
         /// <summary>All options, in the order of the help.</summary>
-        public static readonly Option[] All = { Turns, FrameRate, Time, Out, Asterix, Udp, Ttl, Options.Device };
+        public static readonly Option[] All =
+        {
+            Turns, FrameRate, Time, Detect, FalseAlarm, Out, Table, Asterix, Udp, Ttl, Options.Device
+        };
 
         /// <summary>A host and a port.</summary>
         public sealed class UdpTarget
@@ -68,8 +76,8 @@ namespace Glint.Editor
                 int colon = text.LastIndexOf(':');
                 string host = colon < 0 ? "127.0.0.1" : text.Substring(0, colon);
                 if (host.Length == 0 || !int.TryParse(text.Substring(colon + 1), NumberStyles.None,
-                    CultureInfo.InvariantCulture, out int port) || !s_ports.Contains(port))
-                    throw new FormatException($"give a port {s_ports}, or host and port as in 239.192.43.78:4378");
+                    CultureInfo.InvariantCulture, out int port) || !DatagramSender.Ports.Contains(port))
+                    throw new FormatException($"give a port {DatagramSender.Ports}, or host and port as in 239.192.43.78:4378");
                 return new UdpTarget(host, port);
             }
         }

@@ -26,6 +26,13 @@ namespace Glint.Editor
             .Append((nameof(ScreenDisplay.HasBearingLine), "Show Bearing Line",
                 "Draws the electronic bearing line.")).ToArray();
 
+        /// <summary>The same of <see cref="ScreenDetection"/>.</summary>
+        public static readonly (string field, string label, string tooltip)[] Detection = ScreenDetection.Measures
+            .Select(measure => measure.Row)
+            .Prepend((nameof(ScreenDetection.Level), "Level",
+                "Level of noise and clutter: the mean of the cells around, or the one at three quarters of their order."))
+            .ToArray();
+
         /// <summary>Why the screen cannot turn; null if it can.</summary>
         public static Finding Check(RadarScreen screen) => Finding.Of(screen.Check);
 
@@ -47,6 +54,10 @@ namespace Glint.Editor
             yield return ("10 m2 over noise", FormattableString.Invariant(
                     $"{ofOne + 10 - 40 * Math.Log10(radar.RangeScale):0.0} dB"),
                 "A reflector of 10 m2 at the edge of the picture in free space.");
+            if (screen.PointCount > 0)
+                yield return ("Meshes", FormattableString.Invariant(
+                        $"{screen.PointCount} points, {screen.PointSpacing:0.0#} m"),
+                    "Points of the meshes' surfaces that echo, and their distance on large objects.");
         }
     }
 }

@@ -19,33 +19,35 @@ namespace Glint.Editor
         {
             var run = StoredRun.ReadAny(line.Input);
             int pose = line.Get(ReportOptions.Pose);
+            bool hasPoses = run.Table != ResultTable.Clutter && run.Table != ResultTable.Screen;
+            if (!hasPoses && line.IsGiven(ReportOptions.Pose) && pose != ReportOptions.NoPose)
+                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: a report of glint {run.Table.Name} shows no "
+                    + "pose: leave it out");
             int poses = run.Table == ResultTable.Echo ? EchoProfiles.DirectionsOf(run.Info) : run.Count;
             if (pose > poses)
                 throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {poses}, "
                     + $"the rows of {line.Input}, or none");
-            bool isOfClutter = run.Table == ResultTable.Clutter;
-            if (isOfClutter && line.IsGiven(ReportOptions.Pose) && pose != ReportOptions.NoPose)
-                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: a report of sea clutter shows no pose: "
-                    + "leave it out");
             string path = line.IsGiven(ReportOptions.Out)
                 ? line.Get(ReportOptions.Out)
                 : Path.Combine(line.Input, ReportFile.Name);
-            bool hasScene = !isOfClutter && pose != ReportOptions.NoPose && run.Count > 0;
-            Write(run, hasScene ? CaptureOf(run, pose - 1, progress) : null, path);
+            bool hasScene = hasPoses && pose != ReportOptions.NoPose && run.Count > 0;
+            Write(run, hasScene ? CaptureOf(run, pose - 1, progress) : null, path,
+                run.Table == ResultTable.Screen ? ScreenReport.Of(line.Input) : null);
             progress.Print($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)");
             return Batch.Done;
         }
 
         /// <summary>Writes a report.</summary>
         /// <param name="capture">Makes what is shown in 3-D; null: no 3-D view.</param>
+        /// <param name="screen">The turn of a radar screen; null: none.</param>
         /// <exception cref="GlintException">The report cannot be written.</exception>
-        public static void Write(StoredRun run, Func<JObject> capture, string path)
+        public static void Write(StoredRun run, Func<JObject> capture, string path, JObject screen = null)
         {
             JObject scene = null;
             string problem = "No pose was requested.";
             if (capture != null)
                 (scene, problem) = TryCapture(capture);
-            ReportFile.Write(path, ReportFile.Fill(Template(), run, scene, problem));
+            ReportFile.Write(path, ReportFile.Fill(Template(), run, scene, problem, screen));
         }
 
         // Of the given row, or of the strongest pose.

@@ -22,10 +22,12 @@ namespace Glint.Editor
         /// <param name="template">Editor/Report/Template.txt.</param>
         /// <param name="scene">The scene in the form of the report's page; null: not shown.</param>
         /// <param name="noScene">Why there is no scene, as a sentence; null if there is one.</param>
+        /// <param name="screen">The turn of a radar screen in the form of the report's page; null: none.</param>
         /// <exception cref="GlintException">
         /// The template does not have exactly one placeholder, or the run is a part of range profiles.
         /// </exception>
-        public static string Fill(string template, StoredRun run, JObject scene, string noScene)
+        public static string Fill(string template, StoredRun run, JObject scene, string noScene,
+            JObject screen = null)
         {
             int index = template.IndexOf(Placeholder, StringComparison.Ordinal);
             if (index < 0 || template.IndexOf(Placeholder, index + 1, StringComparison.Ordinal) >= 0)
@@ -38,6 +40,7 @@ namespace Glint.Editor
                 ["run"] = echo?.RunToJson()
                     ?? (JToken)new JRaw(ResultsJson.Line(run.Info, run.Rows, run.Table)),
                 ["echo"] = echo?.ToJson(),
+                ["screen"] = screen,
                 ["scene"] = scene,
                 ["no_scene"] = noScene
             };

@@ -26,6 +26,12 @@ namespace Glint
         [SerializeField, Tooltip("Medium behind the layers.")]
         RadarMedium _halfSpace = new RadarMedium();
 
+        [SerializeField, Tooltip("RMS slope of the surface about its mesh in one direction, 0.001 to 1: for a Radar Screen.")]
+        double _slope = SurfaceMaterial.DefaultSlope;
+
+        [SerializeField, Tooltip("Diffuse echo for a Radar Screen: cross section over the area across the ray, dB.")]
+        double _gammaDb = SurfaceMaterial.DefaultGammaDb;
+
         // Of a material that a mesh file names; not stored.
         SurfaceMaterial _surface;
 
@@ -40,6 +46,12 @@ namespace Glint
 
         /// <summary>Medium behind the layers; read if the kind is HalfSpace.</summary>
         public RadarMedium HalfSpace { get => _halfSpace; set => _halfSpace = value; }
+
+        /// <inheritdoc cref="SurfaceMaterial.Slope"/>
+        public double Slope { get => _slope; set => _slope = value; }
+
+        /// <inheritdoc cref="SurfaceMaterial.GammaDb"/>
+        public double GammaDb { get => _gammaDb; set => _gammaDb = value; }
 
         /// <summary>A material that is not stored as an asset.</summary>
         public static RadarMaterial Of(SurfaceMaterial surface)
@@ -58,10 +70,11 @@ namespace Glint
                 return _surface;
             try
             {
-                if (_kind == RadarMaterialKind.Published)
-                    return PublishedMaterial.Find(_published).ToSurface(name);
-                return new SurfaceMaterial(name, _layers.Select(layer => layer.ToLayer()),
-                    _kind == RadarMaterialKind.HalfSpace ? _halfSpace.ToMedium() : null);
+                var surface = _kind == RadarMaterialKind.Published
+                    ? PublishedMaterial.Find(_published).ToSurface(name)
+                    : new SurfaceMaterial(name, _layers.Select(layer => layer.ToLayer()),
+                        _kind == RadarMaterialKind.HalfSpace ? _halfSpace.ToMedium() : null);
+                return surface.WithScatter(_slope, _gammaDb);
             }
             catch (GlintException refusal)
             {

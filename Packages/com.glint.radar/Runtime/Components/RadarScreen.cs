@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -8,8 +9,8 @@ namespace Glint
 {
     /// <summary>
     /// A radar screen (PPI) that turns while the scene plays. The antenna is at this object's position and turns
-    /// clockwise; <see cref="Picture"/> is a texture for UI Toolkit, uGUI and materials. It shows each enabled
-    /// <see cref="RadarReflector"/>, the sea, rain and noise. Everything runs on the device, and the main thread never waits
+    /// clockwise; <see cref="Picture"/> is a texture for UI Toolkit, uGUI and materials. It shows the meshes of the scene,
+    /// each enabled <see cref="RadarReflector"/>, the sea, rain and noise. Everything runs on the device, and the main thread never waits
     /// for it.
     /// </summary>
     [AddComponentMenu("Glint/Radar Screen")]
@@ -25,6 +26,9 @@ namespace Glint
             + "Empty: none.")]
         Sea _sea;
 
+        [SerializeField, Tooltip("Layers whose meshes are traced. Seas are not among them.")]
+        LayerMask _layers = ~0;
+
         [SerializeField, Tooltip("Transmitter, antenna and range cells. A change starts the picture again.")]
         ScreenRadar _radar = ScreenRadar.Default;
 
@@ -33,6 +37,9 @@ namespace Glint
 
         [SerializeField, Tooltip("How the picture is drawn.")]
         ScreenDisplay _display = ScreenDisplay.Default;
+
+        [SerializeField, Tooltip("How ReadDetections finds targets.")]
+        ScreenDetection _detection = ScreenDetection.Default;
 
         [SerializeField, Tooltip("Colour outside of the range scale.")]
         Color _outside = new Color(0.09f, 0.1f, 0.12f);
@@ -65,12 +72,15 @@ namespace Glint
         RenderTexture _picture;
         Compass _compass;
         ScreenSea _waves;
+        FollowedScene _scene;
+        ScreenTargets _targets;
         ScreenPoint[] _points = new ScreenPoint[16];
         Vector3 _tileMiddle;
         double _turns, _headingTurns;
         // Stale: the turn begins again. Changed: settings are checked.
         bool _isStale, _isChanged, _hasFailed;
         (Sea, ComputeShader, ComputeShader) _madeOf;
+        (int layers, Transform ownShip) _gatheredOf;
 
         /// <summary>
         /// The picture, which stays the same object until the component is destroyed or its size changes; null where
@@ -80,6 +90,20 @@ namespace Glint
 
         /// <summary>Own ship, whose forward axis is the heading; null: this object.</summary>
         public Transform OwnShip { get => _ownShip; set => _ownShip = value; }
+
+        /// <summary>Bytes on the device of the meshes, their BVHs and their points.</summary>
+        public long MeshBytes => _targets?.Bytes ?? 0;
+
+        /// <summary>Layers whose meshes are traced, except those of seas.</summary>
+        public LayerMask Layers { get => _layers; set => _layers = value; }
+
+        /// <summary>Points of the meshes' surfaces that echo; 0 before the first frame.</summary>
+        public int PointCount => _targets?.Count ?? 0;
+
+        /// <summary>
+        /// Distance of these points on large objects, metres: half a cell, or more if the points were too many.
+        /// </summary>
+        public double PointSpacing => _targets?.Spacing ?? 0;
 
         /// <summary>
         /// Sea around the radar; null: none. It is endless for the screen. A change of its settings is seen when the
@@ -128,6 +152,18 @@ namespace Glint
             }
         }
 
+        /// <summary>How <see cref="ReadDetections"/> finds targets.</summary>
+        /// <inheritdoc cref="Radar" path="/exception"/>
+        public ScreenDetection Detection
+        {
+            get => _detection;
+            set
+            {
+                value.Validate(Subject);
+                _detection = value;
+            }
+        }
+
         /// <summary>Packages/com.glint.radar/Shaders/Screen.compute.</summary>
         public ComputeShader Kernel { get => _kernel; set => (_kernel, _isStale) = (value, true); }
 
@@ -137,9 +173,6 @@ namespace Glint
         /// <summary>True bearing of the antenna in degrees from 0 to 360, clockwise from north.</summary>
         public double AntennaDegrees => 360 * (_turns - Math.Floor(_turns));
 
-        /// <summary>Whole turns of the antenna past north since the start, as the noise counts them.</summary>
-        public int Turn => (int)Math.Floor(_turns);
-
         /// <summary>True heading of the own ship in degrees from 0 to 360.</summary>
         public double HeadingDegrees => 360 * (_headingTurns - Math.Floor(_headingTurns));
 
@@ -148,7 +181,15 @@ namespace Glint
 
         internal ScreenTracer Tracer => _tracer;
 
+        Transform Own => _ownShip == null ? transform : _ownShip;
+
         string Subject => $"RadarScreen of '{name}'";
+
+        /// <summary>
+        /// Reads the scene's meshes again in the next frame: after new objects, and after meshes that have changed. That
+        /// objects have moved or gone is seen without it.
+        /// </summary>
+        public void GatherAgain() => _gatheredOf = default;
 
         /// <summary>
         /// Reads the levels of a turn, dB over noise, spoke by spoke. It waits for the device: not for each frame.
@@ -160,6 +201,12 @@ namespace Glint
             _tracer.Levels.ReadBack(levels, levels.Length);
             return levels;
         }
+
+        /// <summary>
+        /// Reads the levels of a turn and detects targets on the processor. It waits for the device: not for each frame.
+        /// </summary>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public List<ScreenDetected> ReadDetections() => _detection.Detect(Ready().Geometry, ReadLevels());
 
         /// <summary>Reads video and trail of a turn, 0 to 1, spoke by spoke. It waits for the device.</summary>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
@@ -188,6 +235,17 @@ namespace Glint
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
         public byte[] ReadPicture() => new ScreenPicture(Ready().Geometry, View(), ReadVideo()).Draw();
 
+        /// <summary>Colours the pixels of detections as bearing line and range marker.</summary>
+        /// <param name="picture">Bytes of <see cref="ReadPicture"/>, or of <see cref="Picture"/>.</param>
+        /// <inheritdoc cref="ReadLevels" path="/exception"/>
+        public void Mark(byte[] picture, IEnumerable<ScreenDetected> detections)
+        {
+            double scale = Ready().Geometry.Radar.RangeScale;
+            var view = View();
+            foreach (var detected in detections)
+                view.Mark(picture, detected.BearingDegrees / 360, detected.Range / scale);
+        }
+
         /// <summary>Advances the antenna, traces what it comes to, and draws; Unity's Update calls it.</summary>
         /// <param name="seconds">Since the frame before.</param>
         /// <exception cref="GlintException">
@@ -204,6 +262,7 @@ namespace Glint
             _turns += seconds * _radar.TurnsAMinute / 60 + Math.IEEERemainder(_headingTurns - before, 1);
             _tracer.Begin(_turns);
             AddSea();
+            AddTargets();
             int points = GatherPoints();
             _tracer.AddPoints(_points, points, _waves != null);
             _tracer.AddRain();
@@ -240,6 +299,7 @@ namespace Glint
             _radar.Validate(Subject);
             _receiver.Validate(Subject);
             _display.Validate(Subject);
+            _detection.Validate(Subject);
             DeviceCheck.Require(_kernel, "Screen", "ScreenBeam", Subject);
             // It refuses a sea that is tilted, too.
             if (_sea != null && _sea.CurrentClutter() == null)
@@ -282,6 +342,8 @@ namespace Glint
             _turns = _headingTurns = Heading();
             _madeOf = (_sea, _kernel, _seaKernel);
             MakeSea();
+            (_scene, _targets) = (new FollowedScene(), new ScreenTargets(Subject, _tracer.Geometry));
+            GatherTargets();
             MakePicture();
         }
 
@@ -323,24 +385,57 @@ namespace Glint
                 NorthTurns() - Compass.TurnsOf(_sea.transform.forward));
         }
 
-        // Positions of the world, with north as +Z and the sea at 0.
+        void GatherTargets()
+        {
+            try
+            {
+                _scene.Gather(_layers, Own);
+            }
+            catch (GlintException refusal)
+            {
+                throw new GlintException($"{Subject}: {refusal.Message}; or take its layer out of Layers", refusal);
+            }
+            _targets.SetScene(_scene.Scene, _scene.IsOwnShip);
+            foreach (string warning in _scene.Warnings)
+                Debug.LogWarning($"{Subject}: {warning}", this);
+            _gatheredOf = (_layers, Own);
+        }
+
+        void AddTargets()
+        {
+            if (_tracer.Slice.Traced == 0)
+                return;
+            if (_gatheredOf != (_layers.value, Own) || !_scene.Follow(out bool hasMoved))
+                GatherTargets();
+            else if (hasMoved)
+                _targets.Move();
+            _tracer.AddTargets(_targets, (float3)transform.position, SeaLevel, NorthTurns(), _waves != null);
+        }
+
+        // Those in the spokes of the frame, with positions of the world, north as +Z and the sea at 0.
         int GatherPoints()
         {
             var reflectors = RadarReflector.Enabled;
             if (_points.Length < reflectors.Count)
                 _points = new ScreenPoint[2 * reflectors.Count];
             double north = NorthTurns() * 2 * Math.PI, cosine = Math.Cos(north), sine = Math.Sin(north),
-                seaLevel = _sea == null ? 0 : _sea.transform.position.y;
+                seaLevel = SeaLevel;
             double3 FromWorld(Vector3 position) => new double3(position.x * cosine - position.z * sine,
                 position.y - seaLevel, position.x * sine + position.z * cosine);
             var antenna = FromWorld(transform.position);
+            int count = 0;
             for (int i = 0; i < reflectors.Count; i++)
-                _points[i] = _tracer.Geometry.PointOf(FromWorld(reflectors[i].transform.position), antenna,
-                    reflectors[i].CrossSection);
-            return reflectors.Count;
+            {
+                var position = FromWorld(reflectors[i].transform.position);
+                if (_tracer.IsTraced(_tracer.Geometry.SpokeOf(position - antenna)))
+                    _points[count++] = _tracer.Geometry.PointOf(position, antenna, reflectors[i].CrossSection);
+            }
+            return count;
         }
 
-        double Heading() => Compass.TurnsOf((_ownShip == null ? transform : _ownShip).forward) - NorthTurns();
+        double SeaLevel => _sea == null ? 0 : _sea.transform.position.y;
+
+        double Heading() => Compass.TurnsOf(Own.forward) - NorthTurns();
 
         double NorthTurns() => _compass == null ? 0 : _compass.NorthTurns;
 
@@ -380,8 +475,9 @@ namespace Glint
         void Release()
         {
             _waves?.Dispose();
+            _targets?.Dispose();
             _tracer?.Dispose();
-            (_waves, _tracer) = (null, null);
+            (_waves, _targets, _tracer) = (null, null, null);
         }
     }
 }

@@ -30,7 +30,6 @@ namespace Glint
         ScreenAsterix _encoder;
         ScreenGeometry _geometry;
         DatagramSender _sender;
-        bool _hasFailed;
         long _sent;                        // first spoke of the last frame sent
 
         /// <summary>Name or address of a machine or of a multicast group; taken when the component is enabled.</summary>
@@ -58,7 +57,7 @@ namespace Glint
         void LateUpdate()
         {
             var tracer = _screen.Tracer;
-            if (_sender == null || tracer == null || _hasFailed || tracer.Slice.Finished == 0)
+            if (_sender == null || tracer == null || tracer.Slice.Finished == 0)
                 return;
             if (_geometry == tracer.Geometry && _sent == tracer.Slice.FirstFinished)
                 return;
@@ -75,11 +74,11 @@ namespace Glint
         {
             int bytes = tracer.Video.Stride * _geometry.Radar.Cells,
                 inTurn = _geometry.InTurn(first);
-            var (encoder, geometry, seconds) = (_encoder, _geometry, DateTime.UtcNow.TimeOfDay.TotalSeconds);
+            var (sender, encoder, geometry, seconds) = (_sender, _encoder, _geometry, DateTime.UtcNow.TimeOfDay.TotalSeconds);
             AsyncGPUReadback.Request(tracer.Video.Buffer, count * bytes, inTurn * bytes, request =>
             {
-                // The screen may have gone in the meantime.
-                if (!request.hasError && _sender != null && !_hasFailed)
+                // It may have failed in the meantime, or been enabled again.
+                if (!request.hasError && sender == _sender)
                     Attempt(() => Send(encoder, geometry, request.GetData<float2>().ToArray(), first, seconds));
             });
         }
@@ -91,7 +90,7 @@ namespace Glint
                 _sender.Send(encoder.Encode(first + i, video, i * cells, seconds));
         }
 
-        // A problem is reported once, until the component is enabled again.
+        // A problem is reported once: nothing is sent until the component is enabled again.
         void Attempt(Action action)
         {
             try
@@ -100,15 +99,17 @@ namespace Glint
             }
             catch (GlintException problem)
             {
-                _hasFailed = true;
+                Close();
                 Debug.LogError($"RadarVideoSender of '{name}': {problem.Message}", this);
             }
         }
 
-        void OnDisable()
+        void OnDisable() => Close();
+
+        void Close()
         {
             _sender?.Dispose();
-            (_sender, _hasFailed) = (null, false);
+            _sender = null;
         }
     }
 }

@@ -46,6 +46,9 @@ namespace Glint
         /// <summary>How changed meshes are found.</summary>
         public MeshChanges MeshChanges { get; set; }
 
+        /// <summary>Whether tiles and snapshots of seas are left out.</summary>
+        public bool LeavesOutSeas { get; set; }
+
         /// <summary>Bytes of vertices and indices hashed since the last gather began.</summary>
         public long BytesHashed => _reader.BytesHashed - _hashedBefore;
 
@@ -175,7 +178,7 @@ namespace Glint
             foreach (var renderer in _visible.Find(layers, roots, receiver))
             {
                 var node = _transforms.Visit(renderer.transform);
-                if (node.IsTaken) // below nested roots
+                if (node.IsTaken || LeavesOutSeas && IsSea(renderer)) // taken: below nested roots
                     continue;
                 node.IsTaken = true;
                 if (renderer is MeshRenderer)
@@ -188,6 +191,9 @@ namespace Glint
                     + "Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
             _warnings.AddRange(_seas.Warnings);
         }
+
+        static bool IsSea(Renderer renderer) => renderer.TryGetComponent<SeaTile>(out _)
+            || renderer.GetComponentInParent<SeaSnapshot>() != null;
 
         void AddObject(TransformNode node, Renderer renderer)
         {

@@ -14,6 +14,13 @@ namespace Glint
         public static readonly int _ScreenSea = Shader.PropertyToID("_ScreenSea");
         public static readonly int _ScreenSeaSeed = Shader.PropertyToID("_ScreenSeaSeed");
         public static readonly int _ScreenSeaCorner = Shader.PropertyToID("_ScreenSeaCorner");
+        public static readonly int _SurfaceSamples = Shader.PropertyToID("_SurfaceSamples");
+        public static readonly int _SurfaceSampleCount = Shader.PropertyToID("_SurfaceSampleCount");
+        public static readonly int _SurfaceFrames = Shader.PropertyToID("_SurfaceFrames");
+        public static readonly int _SurfaceScatter = Shader.PropertyToID("_SurfaceScatter");
+        public static readonly int _ScreenAntenna = Shader.PropertyToID("_ScreenAntenna");
+        public static readonly int _ScreenNorth = Shader.PropertyToID("_ScreenNorth");
+        public static readonly int _ScreenWaves = Shader.PropertyToID("_ScreenWaves");
         public static readonly int _Echoes = Shader.PropertyToID("_Echoes");
         public static readonly int _BeamWeights = Shader.PropertyToID("_BeamWeights");
         public static readonly int _PulseWeights = Shader.PropertyToID("_PulseWeights");

@@ -11,8 +11,8 @@ namespace Glint
     /// allocates nothing a frame, and knows no GameObjects.
     /// </summary>
     /// <remarks>
-    /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddSea"/>, <see cref="AddPoints"/>,
-    /// <see cref="AddRain"/>, any kernel that adds to <see cref="Echo"/> in the spokes of the slice), then
+    /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddSea"/>, <see cref="AddTargets"/>,
+    /// <see cref="AddPoints"/>, <see cref="AddRain"/>, any kernel that adds to <see cref="Echo"/> in the spokes of the slice), then
     /// <see cref="Finish"/> and <see cref="Draw"/>.
     /// </remarks>
     sealed class ScreenTracer : IDisposable
@@ -20,7 +20,7 @@ namespace Glint
         const int Group = 64, PictureGroup = 8;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _points, _pointsOverSea, _sea, _rain, _beam, _level, _video, _picture;
+        readonly int _clear, _points, _pointsOverSea, _targets, _targetsOverSea, _sea, _rain, _beam, _level, _video, _picture;
         readonly ScreenSweep _sweep;
         readonly int[] _size = new int[4], _slice = new int[4];
         readonly Vector4[] _colours = new Vector4[7];
@@ -44,6 +44,9 @@ namespace Glint
             _clear = shader.FindKernel("ScreenClear");
             _points = shader.FindKernel("ScreenPoints");
             _pointsOverSea = shader.FindKernel("ScreenPointsOverSea");
+            _targets = shader.FindKernel("ScreenTargets");
+            _targetsOverSea = shader.FindKernel("ScreenTargetsOverSea");
+            DeviceCheck.RequireSupported(shader, _targets, _targetsOverSea);
             _sea = shader.FindKernel("ScreenSea");
             _rain = shader.FindKernel("ScreenRain");
             _beam = shader.FindKernel("ScreenBeam");
@@ -90,6 +93,9 @@ namespace Glint
         /// <summary>The spoke that the antenna passes next, counted from the first turn.</summary>
         public long Front => _sweep.Finished;
 
+        /// <summary>Whether the frame traces a spoke of a turn.</summary>
+        public bool IsTraced(int spoke) => Geometry.InTurn(spoke - _current.FirstTraced) < _current.Traced;
+
         /// <summary>Moves the antenna and clears the spokes that it comes to.</summary>
         /// <param name="turns">True bearing of the antenna in turns from north, counted on.</param>
         public void Begin(double turns)
@@ -99,8 +105,7 @@ namespace Glint
                 return;
             SetTraced(_shader);
             _shader.SetVector(ScreenIDs._ScreenEcho, new Vector4((float)Geometry.CellSize,
-                (float)Geometry.AmplitudeAtOne, (float)(4 * Math.Log(2)
-                / Math.Pow(math.radians(Geometry.Radar.VerticalBeamWidth), 2)), (float)Geometry.RainAmplitude));
+                (float)Geometry.AmplitudeAtOne, (float)Geometry.ElevationExponent, (float)Geometry.RainAmplitude));
             _shader.SetBuffer(_clear, ScreenIDs._Echo, Echo.Buffer);
             Dispatch(_clear, 2 * Geometry.Radar.Cells, _current.Traced);
         }
@@ -120,6 +125,7 @@ namespace Glint
                 return;
             sea.Set(_shader, _sea, radar, northTurns);
             sea.Field.SetMarch(_shader, _pointsOverSea, radar);
+            sea.Field.SetMarch(_shader, _targetsOverSea, radar);
             _shader.SetBuffer(_sea, ScreenIDs._Echo, Echo.Buffer);
             Dispatch(_sea, Geometry.Radar.Cells * sea.FacetsOfACell, _current.Traced);
         }
@@ -138,6 +144,20 @@ namespace Glint
             _shader.SetBuffer(kernel, ScreenIDs._Echo, Echo.Buffer);
             _shader.SetInt(ScreenIDs._ScreenPointCount, count);
             Dispatch(kernel, count, 1);
+        }
+
+        /// <summary>Adds the echoes of meshes.</summary>
+        /// <param name="isOverSea">Whether waves may hide them; after <see cref="AddSea"/>.</param>
+        /// <inheritdoc cref="ScreenTargets.Set"/>
+        public void AddTargets(ScreenTargets targets, double3 antenna, double seaLevel, double northTurns,
+            bool isOverSea = false)
+        {
+            if (_current.Traced == 0 || targets.Count == 0)
+                return;
+            int kernel = isOverSea ? _targetsOverSea : _targets;
+            targets.Set(_shader, kernel, antenna, seaLevel, northTurns);
+            _shader.SetBuffer(kernel, ScreenIDs._Echo, Echo.Buffer);
+            _shader.DispatchThreads(kernel, targets.Count);
         }
 
         /// <summary>Adds the echo of rain, if there is any.</summary>
@@ -236,13 +256,11 @@ namespace Glint
             _shader.SetVector(ScreenIDs._Receiver, new Vector4((float)receiver.GainDb,
                 (float)(1 / receiver.DynamicRangeDb), (float)(receiver.SensitivityTimeRange / Geometry.CellSize),
                 (float)Math.Sqrt(Geometry.NoiseGain)));
+            double2 kept = receiver.KeptATurn;
             _shader.SetVector(ScreenIDs._ReceiverFilters, new Vector4((float)receiver.RainFilter,
-                (float)receiver.ClutterFilter, AfterATurn(receiver.PersistenceTurns), AfterATurn(receiver.TrailTurns)));
+                (float)receiver.ClutterFilter, (float)kept.x, (float)kept.y));
             _shader.SetInt(ScreenIDs._PulseCells, Geometry.Pulse.Length);
         }
-
-        // What is left after a turn.
-        static float AfterATurn(double turns) => turns > 0 ? (float)Math.Exp(-1 / turns) : 0;
 
         void Dispatch(int kernel, int across, int rows) => _shader.Dispatch(kernel, (across + Group - 1) / Group, rows, 1);
     }

@@ -26,6 +26,11 @@ namespace Glint
         readonly DeviceBuffer<uint4> _instanceBvh = new DeviceBuffer<uint4>("rows of the BVH over instances");
         RadarScene _scene;
 
+        // Of the instances, one for each BVH: records, and boxes about the centre.
+        InstanceRecord[] _records;
+        float3[] _boxMins, _boxMaxes;
+        uint4[] _instanceBvhOnHost;
+
         public DeviceScene(BvhLayout layout, string owner, long maxRowsPerPage)
         {
             _bvhs = new DeviceBvhs(layout, owner, maxRowsPerPage);
@@ -119,62 +124,85 @@ namespace Glint
         // One record for each BVH of each instance.
         void SetInstances(RadarScene scene, TraceStatistics statistics)
         {
-            var mins = new List<double3>();
-            var maxes = new List<double3>();
+            Measure(scene);
+            var ranges = scene.Instances.SelectMany(instance => instance.Ranges).Select(
+                range => new uint4((uint)range.FirstTriangle, (uint)range.Object, (uint)range.Surface, 0)).ToArray();
+            WriteRecords(scene);
+            InlineInstances = _records.Length <= MaxInlineInstances && _bvhs.Pages.Count == 1
+                ? _records : Array.Empty<InstanceRecord>();
+            InstanceBvhRoot = uint.MaxValue; // DONE: nothing to traverse
+            if (IsEmpty)
+                return;
+            _instanceBvhOnHost = InstanceBvh.Build(_boxMins, _boxMaxes, BvhLayout.Binary);
+            // The root's first row ends with the reference to its first child, which is the leaf of a single instance.
+            InstanceBvhRoot = _records.Length == 1 ? _instanceBvhOnHost[InstanceBvhRootRow].w : InstanceBvhRootRow;
+            _instances.Upload(_records);
+            _instanceBvh.Upload(_instanceBvhOnHost);
+            _ranges.Upload(ranges);
+            statistics.BytesUploaded += _records.Length * (long)_instances.Stride
+                + _instanceBvhOnHost.Length * (long)_instanceBvh.Stride + ranges.Length * (long)_ranges.Stride;
+        }
+
+        /// <summary>
+        /// Moves the instances of the scene to where they are now, about the same centre. It allocates nothing.
+        /// </summary>
+        public void Move()
+        {
+            if (IsEmpty)
+                return;
+            WriteRecords(_scene);
+            InstanceBvh.Refit(_instanceBvhOnHost, _boxMins, _boxMaxes);
+            _instances.Write(_records, 0, 0, _records.Length);
+            _instanceBvh.Write(_instanceBvhOnHost, 0, 0, _instanceBvhOnHost.Length);
+        }
+
+        // The box around the scene, and room for its records.
+        void Measure(RadarScene scene)
+        {
             Min = double.PositiveInfinity;
             Max = double.NegativeInfinity;
+            int count = 0;
             foreach (var instance in scene.Instances)
                 foreach (var part in _bvhs[instance.Mesh].Bvh.Parts)
                 {
                     Bound(part, instance.ToWorld, out var boxMin, out var boxMax);
-                    mins.Add(boxMin);
-                    maxes.Add(boxMax);
-                    Min = math.min(Min, boxMin);
-                    Max = math.max(Max, boxMax);
+                    (Min, Max) = (math.min(Min, boxMin), math.max(Max, boxMax));
+                    count++;
                 }
-            IsEmpty = mins.Count == 0;
+            IsEmpty = count == 0;
             Centre = IsEmpty ? 0 : (Min + Max) / 2;
-
-            var records = new List<InstanceRecord>();
-            var ranges = new List<uint4>();
-            for (int i = 0; i < scene.Instances.Length; i++)
-            {
-                AddRecords(scene.Instances[i], i, ranges.Count, records);
-                ranges.AddRange(scene.Instances[i].Ranges.Select(
-                    range => new uint4((uint)range.FirstTriangle, (uint)range.Object, (uint)range.Surface, 0)));
-            }
-            InlineInstances =
-                records.Count <= MaxInlineInstances && _bvhs.Pages.Count == 1 ? records : new List<InstanceRecord>();
-            InstanceBvhRoot = uint.MaxValue; // DONE: nothing to traverse
-            if (IsEmpty)
-                return;
-            var instanceBvh = InstanceBvh.Build(mins.Select(lower => Down(lower - Centre)).ToArray(),
-                maxes.Select(upper => -Down(Centre - upper)).ToArray(), BvhLayout.Binary);
-            // The root's first row ends with the reference to its first child, which is the leaf of a single instance.
-            InstanceBvhRoot = records.Count == 1 ? instanceBvh[InstanceBvhRootRow].w : InstanceBvhRootRow;
-            _instances.Upload(records.ToArray());
-            _instanceBvh.Upload(instanceBvh);
-            _ranges.Upload(ranges.ToArray());
-            statistics.BytesUploaded += records.Count * (long)_instances.Stride
-                + instanceBvh.Length * (long)_instanceBvh.Stride + ranges.Count * (long)_ranges.Stride;
+            (_records, _boxMins, _boxMaxes) = (new InstanceRecord[count], new float3[count], new float3[count]);
         }
 
-        // One for each BVH of the instance's mesh.
-        void AddRecords(in MeshInstance instance, int number, int firstRange, List<InstanceRecord> records)
+        void WriteRecords(RadarScene scene)
+        {
+            int count = 0, firstRange = 0;
+            for (int i = 0; i < scene.Instances.Length; i++)
+            {
+                var toWorld = scene.Instances[i].ToWorld;
+                var parts = _bvhs[scene.Instances[i].Mesh].Bvh.Parts;
+                for (int part = 0; part < parts.Length; part++, count++)
+                {
+                    Bound(parts[part], toWorld, out var boxMin, out var boxMax);
+                    (_boxMins[count], _boxMaxes[count]) = (Down(boxMin - Centre), -Down(Centre - boxMax));
+                    _records[count] = RecordOf(scene.Instances[i], i, part, firstRange);
+                }
+                firstRange += scene.Instances[i].Ranges.Length;
+            }
+        }
+
+        // That of one BVH of the instance's mesh.
+        InstanceRecord RecordOf(in MeshInstance instance, int number, int part, int firstRange)
         {
             var allocation = _bvhs[instance.Mesh];
             var toLocal = instance.ToWorld.Inverse();
             toLocal.Origin = toLocal.Point(Centre);
-            for (int i = 0; i < allocation.Bvh.Parts.Length; i++)
-            {
-                var part = allocation.Bvh.Parts[i];
-                var record = InstanceRecord.Of(toLocal, allocation.PageOf(i), allocation.FirstRowOf(i));
-                (record.FirstRecordRow, record.FirstIdentityRow) =
-                    ((uint)part.FirstRecordRow, (uint)part.FirstIdentityRow);
-                (record.FirstRange, record.RangeCount) = ((uint)firstRange, (uint)instance.Ranges.Length);
-                record.Instance = (uint)number;
-                records.Add(record);
-            }
+            var rows = allocation.Bvh.Parts[part];
+            var record = InstanceRecord.Of(toLocal, allocation.PageOf(part), allocation.FirstRowOf(part));
+            (record.FirstRecordRow, record.FirstIdentityRow) = ((uint)rows.FirstRecordRow, (uint)rows.FirstIdentityRow);
+            (record.FirstRange, record.RangeCount) = ((uint)firstRange, (uint)instance.Ranges.Length);
+            record.Instance = (uint)number;
+            return record;
         }
 
         static void Bound(BvhPart part, in Affine toWorld, out double3 boxMin, out double3 boxMax)

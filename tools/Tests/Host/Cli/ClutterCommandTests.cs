@@ -145,7 +145,7 @@ public sealed class ClutterCommandTests
         Assert.That(data["run"]["rows"].Select(row => (double)row["grazing_deg"]), Is.EqualTo(new[] { 1, 10 }));
         (code, _, error) = TestShell.Run("report", At("out"), "--pose", "1");
         Assert.That((code, error.Trim()),
-            Is.EqualTo((1, "glint: --pose 1: a report of sea clutter shows no pose: leave it out")));
+            Is.EqualTo((1, "glint: --pose 1: a report of glint clutter shows no pose: leave it out")));
         (code, _, error) = TestShell.Run("merge", At("out"), "--out", At("merged"));
         Assert.That((code, error.Trim()),
             Is.EqualTo((1, $"glint: {At("out")}: is not part of a sweep made with --shard")));

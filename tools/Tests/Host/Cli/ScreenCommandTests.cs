@@ -1,9 +1,11 @@
 using System;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Net;
 using System.Net.Sockets;
 using Glint.Tests;
+using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
 namespace Glint.Host.Tests;
@@ -54,6 +56,86 @@ public sealed class ScreenCommandTests
             Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
     }
 
+    /// <summary>
+    /// Detections are cells of video.npz above the mean of their reference cells, and video.csv has the same numbers. The
+    /// brightest cell of the scene's buoys and ships is among them.
+    /// </summary>
+    [Test]
+    public void Detections_AndTheTable_AreThoseOfTheTurn()
+    {
+        Run("--turns", "1", "--fps", "5", "--detect", "ca", "--false-alarm", "1e-4", "--csv");
+        string arrays = Path.Combine(_folder, "video.npz");
+        double[] power = NumpyReader.Read(arrays, "power_dbw").Numbers, ranges = NumpyReader.Read(arrays, "range_m").Numbers,
+            bearings = NumpyReader.Read(arrays, "bearing_deg").Numbers, video = NumpyReader.Read(arrays, "video").Numbers;
+        double noise = NumpyReader.Read(arrays, "noise_dbw").Numbers[0];
+        double[][] table = Table("video.csv", "bearing_deg,range_m,power_dbw,video"),
+            detections = Table("detections.csv", "bearing_deg,range_m,level_db,over_threshold_db");
+        Assert.That(table, Has.Length.EqualTo(1024 * 100));
+        for (int i = 0; i < table.Length; i += 33)
+        {
+            Assert.That(table[i].Take(2), Is.EqualTo(new[] { bearings[i / 100], ranges[i % 100] }));
+            Assert.That(table[i][2], Is.EqualTo(power[i]).Within(0.0051));
+            Assert.That(table[i][3], Is.EqualTo(video[i]).Within(5.1e-5));
+        }
+        Assert.That(detections, Is.Not.Empty);
+        foreach (double[] detected in detections)
+        {
+            int spoke = (int)Math.Round(detected[0] / 360 * 1024), cell = (int)(detected[1] / 10);
+            Assert.That(detected[2], Is.EqualTo(power[spoke * 100 + cell] - noise).Within(0.0051));
+            // Cells are 10 m, and a pulse of 80 ns covers two of them: two are guarded on each side.
+            double[] around = Enumerable.Range(0, 100).Where(at => Math.Abs(at - cell) is > 2 and <= 18)
+                .Select(at => Math.Pow(10, (power[spoke * 100 + at] - noise) / 10)).ToArray();
+            double factor = around.Length * (Math.Pow(1e-4, -1.0 / around.Length) - 1);
+            Assert.That(detected[3], Is.EqualTo(detected[2] - 10 * Math.Log10(factor * around.Average())).Within(0.0101));
+        }
+        Assert.That(detections.Max(detected => detected[2]), Is.EqualTo(power.Max() - noise).Within(0.0051));
+        var run = JObject.Parse(File.ReadAllText(Path.Combine(_folder, "results.json")));
+        Assert.That(NumpyReader.Read(arrays, "detected").Numbers, Has.Length.EqualTo(detections.Length));
+        Assert.That((double)run["settings"]["false_alarm_rate"]["value"], Is.EqualTo(1e-4));
+        Assert.That((double)run["settings"]["range_scale"]["value"], Is.EqualTo(1000));
+    }
+
+    /// <summary>The report has the turn in bytes: 0.5 dB over noise from -20 dB on, and video; and the detections.</summary>
+    [Test]
+    public void Report_HasTheTurn()
+    {
+        Run("--turns", "1", "--fps", "5", "--detect", "os");
+        var (code, _, error) = TestShell.Run("report", _folder);
+        Assert.That(code, Is.Zero, error);
+        string page = File.ReadAllText(Path.Combine(_folder, "report.html"));
+        const string start = "<script type=\"application/json\" id=\"data\">";
+        int from = page.IndexOf(start) + start.Length;
+        var data = JObject.Parse(page[from..page.IndexOf("</script>", from)]);
+        Assert.That((string)data["run"]["table"], Is.EqualTo("ppi"));
+        var screen = data["screen"];
+        Assert.That(((int)screen["spokes"], (int)screen["cells"]), Is.EqualTo((1024, 100)));
+        string arrays = Path.Combine(_folder, "video.npz");
+        double[] power = NumpyReader.Read(arrays, "power_dbw").Numbers, video = NumpyReader.Read(arrays, "video").Numbers,
+            detected = NumpyReader.Read(arrays, "detected").Numbers;
+        double noise = NumpyReader.Read(arrays, "noise_dbw").Numbers[0];
+        byte[] levels = Convert.FromBase64String((string)screen["levels"]),
+            shown = Convert.FromBase64String((string)screen["video"]),
+            marks = Convert.FromBase64String((string)screen["detections"]);
+        for (int i = 0; i < power.Length; i += 7)
+        {
+            Assert.That(-20 + 0.5 * levels[i], Is.EqualTo(Math.Max(-20, power[i] - noise)).Within(0.2501));
+            Assert.That(shown[i] / 255.0, Is.EqualTo(video[i]).Within(0.5001 / 255));
+        }
+        Assert.That(Enumerable.Range(0, marks.Length / 4).Select(i => (double)BitConverter.ToInt32(marks, 4 * i)),
+            Is.EqualTo(detected));
+        (code, _, error) = TestShell.Run("report", _folder, "--pose", "1");
+        Assert.That((code, error.Trim()),
+            Is.EqualTo((1, "glint: --pose 1: a report of glint ppi shows no pose: leave it out")));
+    }
+
+    double[][] Table(string name, string header)
+    {
+        string[] lines = File.ReadAllLines(Path.Combine(_folder, name));
+        Assert.That(lines[0], Is.EqualTo(header));
+        return [.. lines.Skip(1).Select(line =>
+            line.Split(',').Select(cell => double.Parse(cell, CultureInfo.InvariantCulture)).ToArray())];
+    }
+
     /// <summary>The page's example, in Debian's Python.</summary>
     [Test]
     [Platform("Linux")]
@@ -82,6 +164,8 @@ public sealed class ScreenCommandTests
 
     [TestCase(2, "--udp host:0: give a port from 1 to 65535, or host and port", "--udp", "host:0")]
     [TestCase(2, "--ttl", "--ttl", "3")]
+    [TestCase(2, "--detect go: must be one of ca, os", "--detect", "go")]
+    [TestCase(2, "--false-alarm: needs --detect CFAR", "--false-alarm", "1e-3")]
     [TestCase(2, "--turns 0", "--turns", "0")]
     public void Option_ThatIsWrong_IsRefused(int code, string message, params string[] options)
     {

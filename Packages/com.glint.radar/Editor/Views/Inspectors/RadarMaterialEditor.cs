@@ -24,6 +24,7 @@ namespace Glint.Editor.Views
             inspector.Add(targets.Length == 1 ? (VisualElement)_published : Parts.Field("_published", "Published"));
             inspector.Add(Parts.Field("_layers", "Layers"));
             inspector.Add(Parts.Field("_halfSpace", "Half-Space"));
+            inspector.Add(Parts.Group("Radar Screen", Parts.Field("_slope", "Slope"), Parts.Field("_gammaDb", "Gamma (dB)")));
         }
 
         protected override (IEnumerable<Finding>, IEnumerable<(string, string, string)>) Shown()

@@ -12,10 +12,12 @@ namespace Glint.Editor.Views
 
         protected override void AddFields(VisualElement inspector)
         {
-            inspector.Add(Parts.Group("Scene", Parts.Field("_ownShip", "Own Ship"), Parts.Field("_sea", "Sea")));
+            inspector.Add(Parts.Group("Scene", Parts.Field("_ownShip", "Own Ship"), Parts.Field("_sea", "Sea"),
+                Parts.Field("_layers", "Layers")));
             inspector.Add(Parts.Struct("_radar", "Radar", ScreenFigures.Radar));
             inspector.Add(Parts.Struct("_receiver", "Receiver", ScreenFigures.Receiver));
             inspector.Add(Parts.Struct("_display", "Display", ScreenFigures.Display));
+            inspector.Add(Parts.Struct("_detection", "Detection", ScreenFigures.Detection));
             inspector.Add(Parts.Group("Colours", Parts.Field("_outside", "Outside"),
                 Parts.Field("_background", "Background"), Parts.Field("_echo", "Echo"), Parts.Field("_trail", "Trails"),
                 Parts.Field("_rings", "Range Rings"), Parts.Field("_heading", "Heading Line"),
