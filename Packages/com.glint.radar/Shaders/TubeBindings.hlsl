@@ -3,12 +3,13 @@
 
 #include "WorkLists.hlsl"
 
-// Words of _Sums: the counts, then the sums of each receiver and frequency.
+// Words of _Sums: the counts, then the sums of each copy, receiver and frequency.
 static const uint TUBE_COUNT = 0;          // tubes; may exceed _ListCapacity
 static const uint TUBE_CELLS = 1;          // cells of the next round
 static const uint TUBE_BORDERS = 2;        // border cells of this round
 static const uint TUBE_OVERFLOW = 3;       // 1: a list was full
-static const uint TUBE_RAYS = 4;           // rays traced, 64 bits
+static const uint TUBE_RAYS = 4;           // rays traced in cells and at edges
+static const uint TUBE_BORDER_RAYS = 5;    // rays traced at borders
 static const uint TUBE_POINTS = 6;         // points of an amplitude's cells; may exceed _PointCapacity
 static const uint TUBE_REVEALED = 7;       // parts of cells in which more was found than in attempts before
 static const uint TUBE_HITS = 8;           // of the rays of an amplitude, 64 bits each: those that hit,

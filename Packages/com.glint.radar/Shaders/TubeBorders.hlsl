@@ -103,7 +103,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (!isStraight && canDivide)
         Divide(cell);
-    AddUnsigned(TUBE_RAYS, rays);
+    AddTo(TUBE_BORDER_RAYS, rays);
 }
 
 #endif

@@ -93,7 +93,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     _Corners[index * _MaxBounces].Bounces = bounces;
     if (position.IsCounted)
-        AddUnsigned(TUBE_RAYS, 1);
+        AddTo(TUBE_RAYS, 1);
 }
 
 #endif

@@ -192,7 +192,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         float2 seen = LitPart(piece, query == 0 ? RADAR : index, rays);
         part = float2(max(part.x, seen.x), min(part.y, seen.y));
     }
-    AddUnsigned(TUBE_RAYS, rays);
+    AddTo(TUBE_RAYS, rays);
     if (part.x >= part.y)
         return;
     Tube fringe = FringeOf(piece, part, index);

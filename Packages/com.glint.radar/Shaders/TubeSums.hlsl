@@ -7,9 +7,10 @@
 
 // Sums what the tubes radiate, at each receiver and frequency. A group takes TUBES_A_GROUP tubes; its threads take
 // frequencies, and share the tubes if there are fewer frequencies than threads. Sums are whole numbers: the same in any
-// order.
+// order. Groups spread over copies of the sums, since additions to one word wait for each other.
 
 uint _FrequenciesAGroup;                   // a power of two up to the size of a group
+uint _SumCopies;
 float _UnitsPerMetre;                      // of S
 
 static const float MAX_UNITS = 4.0e18;
@@ -200,6 +201,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint frequency = group.z * _FrequenciesAGroup + thread % _FrequenciesAGroup;
     uint share = thread / _FrequenciesAGroup, shares = GLINT_GROUP / _FrequenciesAGroup;
     uint2 tubes = TubesOf(group);
+    uint copy = (group.x + group.y * GROUPS_A_ROW) % _SumCopies;
     if (frequency >= _FrequencyCount)
         return;
     float4 waveNumber = _WaveNumbers[frequency];
@@ -224,7 +226,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
             Accumulate(sums[10], min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS), overflow);
         }
-        uint first = TUBE_SUMS + (slot * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
+        uint first = TUBE_SUMS + ((copy * _SlotCount + slot) * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
         for (uint sum = 0; sum < 11; sum++)
             AddWords(first + SUM_S + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
         if (overflow != 0)

@@ -77,7 +77,7 @@ namespace Glint.Tests
                 new Dictionary<string, double>
                 {
                     ["TUBE_COUNT"] = TubeSums.Count, ["TUBE_OVERFLOW"] = TubeSums.Overflow,
-                    ["TUBE_RAYS"] = TubeSums.RayCount, ["TUBE_SUMS"] = TubeKernels.FirstSum,
+                    ["TUBE_RAYS"] = TubeSums.RayCount, ["TUBE_BORDER_RAYS"] = TubeSums.BorderRayCount, ["TUBE_SUMS"] = TubeKernels.FirstSum,
                     ["TUBE_SUM_WORDS"] = TubeKernels.SumWords,
                     // Sums have two words.
                     ["SUM_S"] = 0, ["SUM_BENT"] = 2 * TubeSums.Bent, ["SUM_ERROR"] = 2 * TubeSums.Border,
@@ -124,7 +124,7 @@ namespace Glint.Tests
         {
             var constants = ShaderConstants.Of("TubeBindings.hlsl");
             double[] counts = { constants["TUBE_COUNT"], constants["TUBE_CELLS"], constants["TUBE_BORDERS"],
-                constants["TUBE_OVERFLOW"], constants["TUBE_RAYS"], constants["TUBE_RAYS"] + 1 };
+                constants["TUBE_OVERFLOW"], constants["TUBE_RAYS"], constants["TUBE_BORDER_RAYS"] };
             Assert.That(counts, Is.Unique);
             Assert.That(counts, Is.All.LessThan(TubeKernels.FirstSum));
             Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));

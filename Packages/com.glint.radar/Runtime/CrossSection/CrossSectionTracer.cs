@@ -21,6 +21,9 @@ namespace Glint
         // MaxLists: long lists fill a device with large memory.
         const int ListElements = 1 << 20, CornerElements = 1 << 21, MaxLists = 8, MebibytesAList = 8192;
 
+        // Rays of a slice for each of these elements, which leave the lists half empty.
+        const int RaysAList = 3 << 18;
+
         // Error that a cell may have, as a fraction of what a conducting plate of a base cell returns: at first, and at
         // least.
         const double FirstCellError = 1.0 / 64, MinCellError = 1.0 / (1 << 17);
@@ -88,17 +91,19 @@ namespace Glint
             var edges = new TubeSums(pose, grid);
             // Before the tubes' buffers are bound: it clears sums of its own.
             var clutter = Clutter(pose, cancel);
-            Bind(pose, grid, edges, OutputSize(pose), 1);
+            Bind(pose, grid, edges, TubeSums.OutputSize(pose), 1);
             _kernels.SumAll();
             double floor =
                 Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max), FloorOf(clutter));
             // The same for every attempt.
-            TraceEdges(pose, OutputSize(pose), read => edges.Add(read, _owner), cancel);
+            TraceEdges(pose, TubeSums.OutputSize(pose), read => edges.Add(read, _owner), cancel);
             long rays = 0;
+            var forecast = new SliceForecast((long)_lists * RaysAList);
             for (double cellError = CellError > 0 ? CellError : FirstCellError; ;)
             {
                 var sums = new TubeSums(pose, grid);
-                TraceCells(cellError, pose, grid, OutputSize(pose), read => sums.Add(read, _owner), progress, cancel);
+                TraceCells(cellError, pose, grid, forecast, TubeSums.OutputSize(pose), read => sums.Add(read, _owner),
+                    progress, cancel);
                 sums.Add(edges);
                 var result = sums.ToResult();
                 result.Add(clutter);
@@ -150,11 +155,12 @@ namespace Glint
             var grid = GridOf(pose);
             var units = new TubeSums(pose, grid);
             var parts = _surfaces.Parts;
-            var sums = new PartSums(parts, OutputSize(pose), units, receiver, frequency);
+            var sums = new PartSums(parts, TubeSums.OutputSize(pose), units, receiver, frequency);
             Bind(pose, grid, units, sums.OutputSize, ListCapacity);
-            _kernels.SumParts(parts, receiver, frequency, OutputSize(pose));
+            _kernels.SumParts(parts, receiver, frequency, TubeSums.OutputSize(pose));
             TraceEdges(pose, sums.OutputSize, sums.Add, cancel);
-            TraceCells(result.CellError, pose, grid, sums.OutputSize, sums.Add, progress, cancel);
+            TraceCells(result.CellError, pose, grid, new SliceForecast((long)_lists * RaysAList), sums.OutputSize, sums.Add,
+                progress, cancel);
             return sums.ToContributions(polarisations);
         }
 
@@ -205,24 +211,22 @@ namespace Glint
             _kernels.Mark(grid, _surfaces, _marks, _links);
         }
 
-        static int OutputSize(CrossSectionPose pose) =>
-            TubeKernels.FirstSum + TubeKernels.SumWords * TubeSums.SlotsOf(pose) * pose.Samples;
-
         // Traces all cells to an error of each, slice by slice, and hands each slice's output over.
-        void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, int outputSize, Action<uint[]> add,
-            IProgress<double> progress, CancellationToken cancel)
+        void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, SliceForecast forecast, int outputSize,
+            Action<uint[]> add, IProgress<double> progress, CancellationToken cancel)
         {
             // A division makes a cell's share a quarter; a bisection halves the error of its border. Where curved
             // surfaces focus, a base cell returns up to 64 times what a plate does.
             int maxLevel = (int)Math.Ceiling(0.5 * Math.Log(1.2 / cellError, 2)) + 3;
             int maxBisections = (int)Math.Ceiling(Math.Log(1 / cellError, 2)) + 8;
             _kernels.SetAccuracy(cellError * 2 * grid.Side * grid.Side, maxLevel, maxBisections);
+            forecast.Begin(cellError);
             var read = new uint[outputSize];
             long max = CellCapacity(pose);
             for (long first = 0; first < grid.Count;)
             {
                 cancel.ThrowIfCancellationRequested();
-                long left = Math.Min(grid.Count - first, max);
+                long left = forecast.CellsFrom(first, Math.Min(grid.Count - first, max));
                 int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (left + TileCells - 1) / TileCells),
                     pose.MaxBounces);
                 int count = (int)Math.Min(left, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells);
@@ -242,6 +246,7 @@ namespace Glint
                     continue;
                 }
                 add(read);
+                forecast.Took(first, count, TubeSums.RaysOf(read));
                 first += count;
                 max = Math.Min(CellCapacity(pose), max + max / 2);
                 progress?.Report((double)first / grid.Count);

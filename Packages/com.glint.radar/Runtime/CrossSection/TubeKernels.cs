@@ -75,6 +75,7 @@ namespace Glint
             _shader.SetFloat(TubeIDs._RadarPhase, (float)grid.RadarPhaseOf(pose));
             _shader.SetInt(TubeIDs._ReceiverCount, pose.Receivers.Length);
             _shader.SetInt(TubeIDs._SlotCount, TubeSums.SlotsOf(pose));
+            _shader.SetInt(TubeIDs._SumCopies, TubeSums.CopiesOf(pose));
             bool isMonostatic =
                 pose.Receivers.Length == 1 && pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar);
             _shader.SetInt(TubeIDs._IsMonostatic, isMonostatic ? 1 : 0);

@@ -9,10 +9,13 @@ namespace Glint
     sealed class TubeSums
     {
         /// <summary>Words of the output.</summary>
-        public const int Count = 0, Overflow = 3, RayCount = 4;
+        public const int Count = 0, Overflow = 3, RayCount = 4, BorderRayCount = 5;
 
         /// <summary>Sums of a receiver and sample, two words each, and the word after them.</summary>
         public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
+
+        // Sums of a copy that make further copies needless: threads then add to many words.
+        const int SpreadSums = 32;
 
         readonly CrossSectionPose _pose;
         readonly TubeGrid _grid;
@@ -36,6 +39,17 @@ namespace Glint
         public static int SlotsOf(CrossSectionPose pose) =>
             (pose.Scene.Seas.Count > 0 ? 2 : 1) * pose.Receivers.Length;
 
+        /// <summary>Copies of the sums in the output.</summary>
+        public static int CopiesOf(CrossSectionPose pose) =>
+            (SpreadSums - 1) / (SlotsOf(pose) * pose.Samples) + 1;
+
+        /// <summary>Words of the output, copies included.</summary>
+        public static int OutputSize(CrossSectionPose pose) =>
+            TubeKernels.FirstSum + TubeKernels.SumWords * CopiesOf(pose) * SlotsOf(pose) * pose.Samples;
+
+        /// <summary>Rays of an output.</summary>
+        public static long RaysOf(uint[] output) => (long)output[RayCount] + output[BorderRayCount];
+
         /// <summary>Rays traced.</summary>
         public long Rays { get; private set; }
 
@@ -56,14 +70,14 @@ namespace Glint
         public void Add(uint[] output, string owner)
         {
             _tubes += output[Count];
-            Rays += output[RayCount] + ((long)output[RayCount + 1] << 32);
-            for (int i = 0; i < _sums.Length; i++)
+            Rays += RaysOf(output);
+            for (int i = 0; i < _sums.Length * CopiesOf(_pose); i++)
             {
                 int first = TubeKernels.FirstSum + i / SumCount * TubeKernels.SumWords;
                 if (output[first + TooLarge] != 0)
                     throw new GlintException($"{owner}: a contribution to the cross section is not finite or too large: "
                         + "the mesh may have coordinates that float32 does not resolve");
-                _sums[i] += At(output, first + 2 * (i % SumCount));
+                _sums[i % _sums.Length] += At(output, first + 2 * (i % SumCount));
             }
         }
 

@@ -73,6 +73,7 @@ namespace Glint
             // One receiver, one frequency.
             _shader.SetInt(TubeIDs._ReceiverCount, 1);
             _shader.SetInt(TubeIDs._SlotCount, 1);
+            _shader.SetInt(TubeIDs._SumCopies, 1);
             _shader.SetInt(TubeIDs._FrequencyCount, 1);
             _shader.SetInt(TubeIDs._FrequenciesAGroup, 1);
             _shader.SetInt(TubeIDs._FrequencyGroups, 1);

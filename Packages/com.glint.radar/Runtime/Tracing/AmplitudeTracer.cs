@@ -272,7 +272,7 @@ namespace Glint
                 _bentQuadrature += At(Bent + 2);
                 _squares += At(Border);
                 Revealed += output[RevealedCount];
-                _rays += At(TubeSums.RayCount);
+                _rays += TubeSums.RaysOf(output);
                 _hits += At(Hits);
                 _bounces += At(Bounces);
                 _received += At(Received);
