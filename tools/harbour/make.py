@@ -9,7 +9,7 @@ import functools, math, os, random, re, struct, sys, uuid
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../..')
 MESHES = os.path.join(ROOT, 'Meshes')
 
-# Of the coast's grid; land beyond the radius is left out, the last range ring of the scene is at 5,556 m.
+# Of the coast's grid. Land outside of the radius is left out: the scene's outermost range ring is at 5,556 m.
 STEP, RADIUS = 60, 6300
 MAX_DEPTH = 12
 BEACH_HEIGHT, BEACH_WIDTH = 2, 25
