@@ -47,11 +47,12 @@ float HeightOverTangent(float height, float distance)
     return height - _ScreenWaves.z * distance * distance;
 }
 
-// Magnitude of F: Core/Screen/SeaFactor.cs.
+// Magnitude of F: Core/Screen/SeaFactor.cs. A place below the mean level counts as on it.
 float SeaInterference(float height, float ground)
 {
-    if (_ScreenWaves.y == 0.0 || _ScreenAntenna.w <= 0.0 || height <= 0.0)
+    if (_ScreenWaves.y == 0.0 || _ScreenAntenna.w <= 0.0)
         return 1.0;
+    height = max(height, 0.0);
     float near = 0.0, far = ground;
     for (uint halving = 0; halving < SEA_HALVINGS; halving++)
     {

@@ -49,15 +49,17 @@ float AngleBetween(float3 a, float3 b)
     return 2.0 * asin(saturate(0.5 * length(a - b)));
 }
 
-// Whether the radar sees the last hit of a path: no mesh and no wave is before it.
+// Whether the radar sees the last hit of a path: it looks towards the radar, and no mesh is before it.
 bool IsSeen(Path path, float3 normal, Leg leg)
 {
+    if (dot(normal, leg.Offset) >= 0.0 || IsBehindHorizon(leg))
+        return false;
     Ray ray = path.Ray;
     float3 toAntenna = _ScreenAntenna.xyz - ray.Start;
     float reach = length(toAntenna);
     ray.Direction = toAntenna / reach;
     bool isAmbiguous;
-    return dot(normal, leg.Offset) < 0.0 && !AnyHit(ray, reach, isAmbiguous);
+    return !AnyHit(ray, reach, isAmbiguous);
 }
 
 // Adds the echo of a path that comes back from its last hit.

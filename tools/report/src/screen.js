@@ -15,7 +15,7 @@ export function showScreen({ run, screen }) {
     ['Spokes and cells', `${number(settings.spokes?.value)} x ${number(settings.cells?.value)}`],
     ['Frequency', unit('frequency', 1e9, 'GHz')], ['Power', unit('power', 1e3, 'kW')], ['Pulse', unit('pulse', 1, 'ns')],
     ['Beam', unit('beam_width', 1, 'deg')], ['Noise', `${number(screen.noise_dbw, 4)} dBW`],
-    ...screen.detections ? [['Detections', number(screen.detection_count)]] : [],
+    ...screen.detection_count != null ? [['Detections', number(screen.detection_count)]] : [],
     ['Whole run', seconds(run.elapsed_ms ?? NaN)]
   ]);
   settingsTable(run, { varying: [] });
@@ -30,8 +30,8 @@ class Ppi {
     this.values = { video: bytes(screen.video), levels: bytes(screen.levels) };
     this.detected = new Uint8Array(screen.spokes * screen.cells);
     if (screen.detections) for (const cell of new Int32Array(bytes(screen.detections).buffer)) this.detected[cell] = 1;
-    byId('ppi-detections').closest('label').hidden = !screen.detections;
-    byId('ppi-text').textContent = `North is up. A pixel has the highest of the cells that it touches${screen.is_reduced ? '; of neighbouring cells the file has the highest' : ''}.${screen.detections ? ` Blue cells are above the threshold of the detector.` : ''}`;
+    byId('ppi-detections').closest('label').hidden = screen.detection_count == null;
+    byId('ppi-text').textContent = `North is up. A pixel has the highest of the cells that it touches${screen.is_reduced ? '; of neighbouring cells the file has the highest' : ''}.${screen.detection_count != null ? ` Blue cells are above the threshold of the detector.` : ''}`;
     this.canvas = byId('ppi');
     this.whole();
     for (const id of ['ppi-show', 'ppi-detections', 'ppi-rings']) byId(id).addEventListener('change', () => this.draw());
@@ -104,7 +104,7 @@ class Ppi {
     context.putImageData(image, 0, 0);
     if (byId('ppi-rings').checked) this.drawLines(context, side / (2 * this.half));
     this.drawLegend(name);
-    canvas.setAttribute('aria-label', `Picture of the radar, ${number(this.half, 3)} m to each side of a place ${number(this.east, 3)} m east and ${number(this.north, 3)} m north of the radar${this.screen.detections ? `; ${plural(this.screen.detection_count, 'detection')}` : ''}.`);
+    canvas.setAttribute('aria-label', `Picture of the radar, ${number(this.half, 3)} m to each side of a place ${number(this.east, 3)} m east and ${number(this.north, 3)} m north of the radar${this.screen.detection_count != null ? `; ${plural(this.screen.detection_count, 'detection')}` : ''}.`);
   }
 
   // Of the cells that a pixel touches.

@@ -22,11 +22,11 @@ namespace Glint.Core
     public sealed class Cfar
     {
         const double RankPart = 0.75;
-        const int MaxCells = 200;
+        const int MaxCells = 200, MaxDistance = 1 << 16;
 
         readonly CfarLevel _level;
         readonly double _falseAlarmRate;
-        readonly int _reference, _guard, _referenceRows, _guardRows;
+        readonly int _reference, _guard, _referenceRows, _guardRows, _step;
 
         // By the number of reference cells, 0 where not computed yet.
         readonly double[] _factors;
@@ -35,24 +35,28 @@ namespace Glint.Core
         readonly double[] _referenceCells;
 
         /// <param name="falseAlarmRate">False alarms a cell.</param>
-        /// <param name="reference">Reference cells on each side, along a row, at most 200, as the others.</param>
+        /// <param name="reference">Reference cells on each side, along a row, at most 200.</param>
         /// <param name="guard">
         /// Cells between the tested one and those, on each side: at least the width of a target's main lobe.
         /// </param>
         /// <param name="referenceRows">Rows of reference cells on each side, in a map.</param>
         /// <param name="guardRows">Rows between the tested cell's and those.</param>
+        /// <param name="step">
+        /// Cells from a reference cell to the next one of a row: at least those over which noise is correlated.
+        /// </param>
         /// <exception cref="GlintException">A number is out of its range.</exception>
         public Cfar(CfarLevel level, double falseAlarmRate, int reference, int guard, int referenceRows = 0,
-            int guardRows = 0)
+            int guardRows = 0, int step = 1)
         {
             var cells = Interval.Closed(0, MaxCells);
             Require.Within("CFAR", "false-alarm rate", falseAlarmRate, "", Interval.Closed(1e-12, 0.5));
             Require.Count("CFAR", "number of reference cells on a side", reference, MaxCells);
-            Require.Within("CFAR", "number of guard cells on a side", guard, "", cells);
+            Require.Within("CFAR", "number of guard cells on a side", guard, "", Interval.Closed(0, MaxDistance));
+            Require.Count("CFAR", "cells from a reference cell to the next", step, MaxDistance);
             Require.Within("CFAR", "number of reference rows on a side", referenceRows, "", cells);
             Require.Within("CFAR", "number of guard rows on a side", guardRows, "", cells);
             (_level, _falseAlarmRate) = (level, falseAlarmRate);
-            (_reference, _guard, _referenceRows, _guardRows) = (reference, guard, referenceRows, guardRows);
+            (_reference, _guard, _referenceRows, _guardRows, _step) = (reference, guard, referenceRows, guardRows, step);
             int width = 2 * (reference + guard) + 1, height = 2 * (referenceRows + guardRows) + 1;
             _factors = new double[width * height + 1];
             _referenceCells = new double[width * height];
@@ -106,12 +110,24 @@ namespace Glint.Core
         int Gather(double[] power, int columns, int index)
         {
             int row = index / columns, column = index % columns, height = _referenceRows + _guardRows,
-                width = _reference + _guard, lastRow = Math.Min(power.Length / columns - 1, row + height),
-                lastColumn = Math.Min(columns - 1, column + width), count = 0;
+                lastRow = Math.Min(power.Length / columns - 1, row + height), count = 0;
+            void Take(int x, int y)
+            {
+                if (x >= 0 && x < columns)
+                    _referenceCells[count++] = power[y * columns + x];
+            }
+
             for (int y = Math.Max(0, row - height); y <= lastRow; y++)
-                for (int x = Math.Max(0, column - width); x <= lastColumn; x++)
-                    if (Math.Abs(x - column) > _guard || Math.Abs(y - row) > _guardRows)
-                        _referenceCells[count++] = power[y * columns + x];
+            {
+                for (int offset = _guard + 1; offset <= _guard + _reference * _step; offset += _step)
+                {
+                    Take(column - offset, y);
+                    Take(column + offset, y);
+                }
+                // Above and below the guard rectangle.
+                for (int x = column - _guard; Math.Abs(y - row) > _guardRows && x <= column + _guard; x++)
+                    Take(x, y);
+            }
             return count;
         }
 

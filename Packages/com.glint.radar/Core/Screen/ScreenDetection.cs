@@ -44,7 +44,9 @@ namespace Glint.Core
             double[] power = levels.Select(level => PowerLevel.FromDecibels(level)).ToArray();
             int cells = geometry.Radar.Cells;
             // The echo of a point covers one cell less than the pulse on each side.
-            var cfar = new Cfar(Level, FalseAlarmRate, Reference, geometry.Pulse.Length);
+            // Noise is correlated over the pulse.
+            int pulse = geometry.Pulse.Length;
+            var cfar = new Cfar(Level, FalseAlarmRate, Reference, pulse, step: pulse);
             return cfar.Detect(power, cells).Select(index => new ScreenDetected
             {
                 Index = index,

@@ -64,18 +64,24 @@ namespace Glint.Core
             try
             {
                 var arrays = NumpyArchive.Read(path);
-                return new ScreenTurn
+                var turn = new ScreenTurn
                 {
                     Bearings = arrays[Bearing], Ranges = arrays[Range], Powers = arrays[Power],
                     Video = arrays[Brightness],
                     Detections = arrays.ContainsKey(Detected)
                         ? arrays[Detected].Zip(arrays[Excess], (index, excess) => ((int)index, excess)).ToArray()
                         : null,
-                    NoiseDbw = arrays[Noise][0], HeadingDegrees = arrays[Heading][0]
+                    NoiseDbw = arrays[Noise].First(), HeadingDegrees = arrays[Heading].First()
                 };
+                int count = turn.Bearings.Count * turn.Ranges.Count;
+                if (count == 0 || turn.Powers.Count != count || turn.Video.Count != count
+                    || turn.Detections != null && turn.Detections.Any(each => each.index < 0 || each.index >= count))
+                    throw new InvalidDataException("its arrays do not fit each other");
+                return turn;
             }
             catch (Exception error) when (error is IOException || error is InvalidDataException
-                || error is UnauthorizedAccessException || error is KeyNotFoundException)
+                || error is UnauthorizedAccessException || error is KeyNotFoundException
+                || error is InvalidOperationException || error is ArgumentException)
             {
                 throw new GlintException($"{path}: cannot be read as a turn: {error.Message.TrimEnd('.')}; run glint ppi "
                     + "again", error);

@@ -19,8 +19,9 @@ namespace Glint.Core
         public static double Squared(double antenna, double reflector, double distance, double reflection,
             double waveNumber)
         {
-            if (!(reflection > 0 && antenna > 0 && reflector > 0))
+            if (!(reflection > 0 && antenna > 0))
                 return 1;
+            reflector = Math.Max(0, reflector);
             var factor = 1 - Complex.FromPolarCoordinates(reflection,
                 waveNumber * Detour(antenna, reflector, distance));
             return PowerLevel.Of(factor);

@@ -28,6 +28,9 @@ namespace Glint.Editor
         /// <returns>Their paths.</returns>
         public IReadOnlyList<string> Write()
         {
+            // Of a run before.
+            foreach (string name in new[] { ResultsFolder.JsonName, TableName, DetectionsName })
+                File.Delete(Path.Combine(_folder, name));
             var detected = _line.IsGiven(ScreenOptions.Detect) ? _screen.ReadDetections() : null;
             Write(PictureName, file => WritePicture(file, detected));
             var turn = ScreenTurn.Of(_screen.Geometry, _screen.ReadLevels(), _screen.ReadVideo().Select(video => video.x),

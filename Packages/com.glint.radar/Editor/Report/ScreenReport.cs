@@ -32,7 +32,9 @@ namespace Glint.Editor
                     cellGroup *= 2;
             int all = turn.Ranges.Count, cells = (all + cellGroup - 1) / cellGroup,
                 spokes = turn.Bearings.Count / spokeGroup;
-            int PlaceOf(int index) => index / all / spokeGroup * cells + index % all / cellGroup;
+            // A group's middle is the bearing of its number.
+            int PlaceOf(int index) =>
+                (index / all + spokeGroup / 2) / spokeGroup % spokes * cells + index % all / cellGroup;
             string Bytes(IEnumerable<double> values)
             {
                 var bytes = new byte[spokes * cells];

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -10,8 +11,8 @@ namespace Glint
     /// <summary>
     /// A radar screen (PPI) that turns while the scene plays. The antenna is at this object's position and turns
     /// clockwise; <see cref="Picture"/> is a texture for UI Toolkit, uGUI and materials. It shows the meshes of the scene,
-    /// each enabled <see cref="RadarReflector"/>, the sea, rain and noise. Everything runs on the device, and the main thread never waits
-    /// for it.
+    /// each enabled <see cref="RadarReflector"/>, the sea, rain and noise. Everything runs on the device, and the main
+    /// thread never waits for it.
     /// </summary>
     [AddComponentMenu("Glint/Radar Screen")]
     [HelpPage("screen.md")]
@@ -73,6 +74,7 @@ namespace Glint
         Compass _compass;
         ScreenSea _waves;
         FollowedScene _scene;
+        readonly HashSet<string> _warned = new HashSet<string>();
         ScreenTargets _targets;
         ScreenPoint[] _points = new ScreenPoint[16];
         Vector3 _tileMiddle;
@@ -89,13 +91,21 @@ namespace Glint
         public Texture Picture => _picture;
 
         /// <summary>Own ship, whose forward axis is the heading; null: this object.</summary>
-        public Transform OwnShip { get => _ownShip; set => _ownShip = value; }
+        public Transform OwnShip
+        {
+            get => _ownShip;
+            set => (_ownShip, _hasFailed) = (value, false);
+        }
 
         /// <summary>Bytes on the device of the meshes, their BVHs and their points.</summary>
         public long MeshBytes => _targets?.Bytes ?? 0;
 
         /// <summary>Layers whose meshes are traced, except those of seas.</summary>
-        public LayerMask Layers { get => _layers; set => _layers = value; }
+        public LayerMask Layers
+        {
+            get => _layers;
+            set => (_layers, _hasFailed) = (value, false);
+        }
 
         /// <summary>Points of the meshes' surfaces that echo; 0 before the first frame.</summary>
         public int PointCount => _targets?.Count ?? 0;
@@ -186,10 +196,10 @@ namespace Glint
         string Subject => $"RadarScreen of '{name}'";
 
         /// <summary>
-        /// Reads the scene's meshes again in the next frame: after new objects, and after meshes that have changed. That
-        /// objects have moved or gone is seen without it.
+        /// Reads the scene's meshes again in the next frame: after new objects, and after changes of meshes, materials
+        /// or layers. That objects have moved or gone is seen without it.
         /// </summary>
-        public void GatherAgain() => _gatheredOf = default;
+        public void GatherAgain() => (_gatheredOf, _hasFailed) = (default, false);
 
         /// <summary>
         /// Reads the levels of a turn, dB over noise, spoke by spoke. It waits for the device: not for each frame.
@@ -260,6 +270,7 @@ namespace Glint
             double before = _headingTurns;
             _headingTurns = Heading();
             _turns += seconds * _radar.TurnsAMinute / 60 + Math.IEEERemainder(_headingTurns - before, 1);
+            FollowTargets();
             _tracer.Begin(_turns);
             AddSea();
             AddTargets();
@@ -387,6 +398,8 @@ namespace Glint
 
         void GatherTargets()
         {
+            // Until everything is complete.
+            _gatheredOf = default;
             try
             {
                 _scene.Gather(_layers, Own);
@@ -396,20 +409,23 @@ namespace Glint
                 throw new GlintException($"{Subject}: {refusal.Message}; or take its layer out of Layers", refusal);
             }
             _targets.SetScene(_scene.Scene, _scene.IsOwnShip);
-            foreach (string warning in _scene.Warnings)
+            foreach (string warning in _scene.Warnings.Where(_warned.Add))
                 Debug.LogWarning($"{Subject}: {warning}", this);
             _gatheredOf = (_layers, Own);
         }
 
-        void AddTargets()
+        void FollowTargets()
         {
-            if (_tracer.Slice.Traced == 0)
-                return;
             if (_gatheredOf != (_layers.value, Own) || !_scene.Follow(out bool hasMoved))
                 GatherTargets();
             else if (hasMoved)
                 _targets.Move();
-            _tracer.AddTargets(_targets, (float3)transform.position, SeaLevel, NorthTurns(), _waves != null);
+        }
+
+        void AddTargets()
+        {
+            if (_tracer.Slice.Traced > 0)
+                _tracer.AddTargets(_targets, (float3)transform.position, SeaLevel, NorthTurns(), _waves != null);
         }
 
         // Those in the spokes of the frame, with positions of the world, north as +Z and the sea at 0.

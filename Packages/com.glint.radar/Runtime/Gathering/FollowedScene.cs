@@ -62,7 +62,7 @@ namespace Glint
 
         /// <summary>Takes the instances to where their objects are.</summary>
         /// <param name="hasMoved">Whether an instance has moved.</param>
-        /// <returns>False if the scene must be gathered again: an object has gone, or it has left its group.</returns>
+        /// <returns>False if the scene must be gathered again: an object has gone, was scaled, or has left its group.</returns>
         public bool Follow(out bool hasMoved)
         {
             hasMoved = false;
@@ -72,6 +72,8 @@ namespace Glint
                     return false;
                 if (!_instances[i].HasMoved(out var toWorld))
                     continue;
+                if (_instances[i].HasScaled(toWorld))
+                    return false;
                 Scene.Instances[i].ToWorld = toWorld;
                 hasMoved = true;
             }
@@ -94,6 +96,7 @@ namespace Glint
         struct FollowedInstance
         {
             readonly Affine _fromLeader;
+            readonly double3 _scale;
             Matrix4x4 _matrix;
 
             public FollowedInstance(Transform leader, in Affine toWorld)
@@ -101,9 +104,17 @@ namespace Glint
                 Leader = leader;
                 _matrix = leader.localToWorldMatrix;
                 _fromLeader = AffineOf(_matrix).Inverse() * toWorld;
+                _scale = ScaleOf(toWorld);
             }
 
             public Transform Leader { get; }
+
+            // Points on surfaces hold areas.
+            public bool HasScaled(in Affine toWorld) =>
+                math.any(math.abs(ScaleOf(toWorld) - _scale) > MinTurn * _scale);
+
+            static double3 ScaleOf(in Affine toWorld) =>
+                new double3(math.length(toWorld.X), math.length(toWorld.Y), math.length(toWorld.Z));
 
             public bool HasMoved(out Affine toWorld)
             {

@@ -85,7 +85,7 @@ namespace Glint
             shader.SetVector(ScreenIDs._ScreenAntenna,
                 (antenna - _scene.Centre).ToVector((float)(antenna.y - seaLevel)));
             shader.SetVector(ScreenIDs._ScreenNorth, new Vector4((float)Math.Cos(north), (float)Math.Sin(north),
-                (float)(Math.Log(2) / Math.Pow(math.radians(radar.BeamWidth), 2)), 0));
+                (float)(AntennaPattern.GaussianExponent(radar.BeamWidth) / 2), 0));
             shader.SetVector(ScreenIDs._ScreenWaves, new Vector4((float)(1 / Signal.Wavelength(radar.Frequency)),
                 (float)radar.SeaReflection, (float)(1 / (2 * ClutterGeometry.EarthRadius)), 0));
         }
@@ -118,7 +118,7 @@ namespace Glint
         {
             // Both polarisations reflect the same at normal incidence.
             var reflected = surface.Reflection(1, _geometry.Radar.Frequency).S;
-            return new float4((float)(4 * surface.Slope * surface.Slope), (float)Math.Pow(10, surface.GammaDb / 10),
+            return new float4((float)(4 * surface.Slope * surface.Slope), (float)PowerLevel.FromDecibels(surface.GammaDb),
                 (float)PowerLevel.Of(reflected), 0);
         }
     }
