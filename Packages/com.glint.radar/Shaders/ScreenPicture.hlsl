@@ -10,8 +10,8 @@ RWTexture2D<float4> _Picture;              // row 0 at the bottom
 
 float4 _PictureView;                       // pixels along a side; bearing at the top, turns; pixels between rings; radius
                                            // of the range marker, pixels
-float4 _PictureFade;                       // exponent of the fading of video a spoke; last finished spoke; 1: colours are
-                                           // written for a linear project
+float4 _PictureFade;                       // exponent of the fading of video a spoke; last finished spoke; 1: colours
+                                           // are written for a linear project
 float4 _PictureTrail;                      // in the map of trails: pixel of the middle; to the east and north: the way
                                            // of one pixel up
 float4 _PictureHeading, _PictureBearing;   // directions of lines in the picture; z: 1 if drawn

@@ -4,8 +4,8 @@
 #include "Screen.hlsl"
 #include "Trigonometry.hlsl"
 
-// Spokes and cells that a pixel touches, of the picture or of the map of trails. Radius and edge of the range scale are in
-// pixels.
+// Spokes and cells that a pixel touches, of the picture or of the map of trails. Radius and edge of the range scale are
+// in pixels.
 
 StructuredBuffer<float2> _ShownVideo;      // _Video of ScreenReceiver.hlsl
 

@@ -147,11 +147,11 @@ namespace Glint.Tests
             }
         }
 
-        // Of the trails that are seen, in pixels from a place.
-        static (double2, double2) ExtentOf(ScreenBench bench, double2 place)
+        // Of the trails that are seen, in pixels from a position.
+        static (double2, double2) ExtentOf(ScreenBench bench, double2 position)
         {
             var trails = bench.Trails();
-            double2 middle = TrailMap.PixelOf(place, bench.Geometry.Radar.RangeScale), least = 1e9, most = -1e9;
+            double2 middle = TrailMap.PixelOf(position, bench.Geometry.Radar.RangeScale), least = 1e9, most = -1e9;
             for (int i = 0; i < trails.Length; i++)
                 if (trails[i] > 0.3)
                 {

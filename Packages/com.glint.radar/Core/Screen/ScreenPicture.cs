@@ -13,7 +13,7 @@ namespace Glint.Core
         public const int MaxSpokes = 64;
 
         /// <summary>
-        /// Half a pixel: TRAIL_REACH. It is smaller, so that rounding decides nothing where the edges of two pixels meet.
+        /// Half a pixel: TRAIL_REACH. It is smaller, so that rounding decides nothing where edges of pixels meet.
         /// </summary>
         public const double TrailReach = 0.49;
 
@@ -23,8 +23,8 @@ namespace Glint.Core
         readonly float[] _trails;
 
         /// <param name="video">
-        /// Brightness of each cell, 0 to 1, spoke by spoke, with persistence and without: a turn as it was when its spokes
-        /// were finished.
+        /// Brightness of each cell, 0 to 1, spoke by spoke, with persistence and without: a turn as it was when its
+        /// spokes were finished.
         /// </param>
         /// <param name="trails">0 to 1, row by row from the south: <see cref="TrailMap"/>.</param>
         public ScreenPicture(ScreenGeometry geometry, in ScreenView view, float2[] video, float[] trails) =>

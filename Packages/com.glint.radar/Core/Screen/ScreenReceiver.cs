@@ -55,8 +55,8 @@ namespace Glint.Core
         public TrailMotion TrailMotion;
 
         /// <summary>
-        /// Exponents of the fading of video and trails in a turn; 0: video does not fade, and the next turn replaces it;
-        /// there are no trails.
+        /// Exponents of the fading of video and trails in a turn. 0: video does not fade, and the next turn replaces
+        /// it; there are no trails.
         /// </summary>
         public double2 FadeATurn => new double2(FadeOf(PersistenceTurns), FadeOf(TrailTurns));
 

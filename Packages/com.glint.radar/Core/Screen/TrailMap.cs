@@ -13,7 +13,7 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// The map of trails: squares to the east and north, which repeats every <see cref="Side"/> pixels, so that it has no
+    /// The map of trails: squares to the east and north. It repeats every <see cref="Side"/> pixels, so that it has no
     /// edge when the antenna moves. Shaders/ScreenTrails.hlsl writes it.
     /// </summary>
     public static class TrailMap
@@ -25,8 +25,8 @@ namespace Glint.Core
         public const int Radius = 480;
 
         /// <summary>
-        /// Pixels that the antenna may move between two frames. With more, the pixel of a place that comes into the range
-        /// scale may still hold the trail of a place on the other side.
+        /// Pixels that the antenna may move between two frames. With more, the pixel of a place that comes into the
+        /// range scale may still hold the trail of a place on the other side.
         /// </summary>
         public const int MaxStep = Side - 2 * Radius;
 

@@ -20,8 +20,8 @@ namespace Glint
         const int Group = 64, PictureGroup = 8;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _points, _pointsOverSea, _targets, _targetsOverSea, _sea, _rain, _beam, _level, _video, _trails,
-            _picture;
+        readonly int _clear, _points, _pointsOverSea, _targets, _targetsOverSea, _sea, _rain, _beam, _level, _video,
+            _trails, _picture;
         readonly ScreenSweep _sweep;
         readonly int[] _size = new int[4], _slice = new int[4];
         readonly Vector4[] _colours = new Vector4[7];
