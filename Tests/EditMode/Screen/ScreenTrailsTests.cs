@@ -7,6 +7,7 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>Trails that keep their place beside the own ship, or over the ground.</summary>
+    [Category("Slow")]
     public sealed class ScreenTrailsTests
     {
         // A turn takes 2.5 s, and has 25 frames.
