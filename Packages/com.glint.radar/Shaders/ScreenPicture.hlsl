@@ -1,55 +1,64 @@
 #ifndef GLINT_SCREEN_PICTURE_FILE
 #define GLINT_SCREEN_PICTURE_FILE
 
-#include "Screen.hlsl"
-#include "Trigonometry.hlsl"
+#include "ScreenPixel.hlsl"
 
 // From the video of a turn to a picture: Core/Screen/ScreenPicture.cs explains the steps.
 
-StructuredBuffer<float2> _ShownVideo;      // _Video of ScreenReceiver.hlsl
+StructuredBuffer<float> _ShownTrails;      // _Trails of ScreenTrails.hlsl
 RWTexture2D<float4> _Picture;              // row 0 at the bottom
 
 float4 _PictureView;                       // pixels along a side; bearing at the top, turns; pixels between rings; radius
                                            // of the range marker, pixels
-float4 _PictureFade;                       // exponents of the fading of video and trails a spoke; last finished spoke;
-                                           // 1: colours are written for a linear project
+float4 _PictureFade;                       // exponent of the fading of video a spoke; last finished spoke; 1: colours
+                                           // are written for a linear project
+float4 _PictureTrail;                      // in the map of trails: pixel of the middle; to the east and north: the way
+                                           // of one pixel up
 float4 _PictureHeading, _PictureBearing;   // directions of lines in the picture; z: 1 if drawn
 float4 _PictureColours[7];                 // ScreenColours, in the order of its members
 
-static const float SCREEN_PIXEL_SPOKES = 64.0; // that a pixel shows at most, to each side
+// Half a pixel. It is smaller, so that rounding decides nothing where the edges of two pixels meet.
+static const float TRAIL_REACH = 0.49;
 
-float2 LargestVideo(int spoke, uint first, uint last)
+float FadedVideo(int spoke, uint2 cells)
 {
-    uint at = (uint)spoke & (_ScreenSize.x - 1), age = ((uint)_PictureFade.z - at) & (_ScreenSize.x - 1);
-    float2 largest = 0.0;
-    [loop]
-    for (uint cell = first; cell <= last; cell++)
-        largest = max(largest, _ShownVideo[at * _ScreenSize.y + cell]);
-    return largest * exp(-_PictureFade.xy * age);
+    uint age = ((uint)_PictureFade.y - (uint)spoke) & (_ScreenSize.x - 1);
+    return LargestVideo(spoke, cells).x * exp(-_PictureFade.x * age);
 }
 
-// The largest video and trail of the cells that a pixel touches.
-float2 VideoAt(float2 position, float radius)
+// The largest video of the cells that a pixel touches.
+float VideoAt(float2 position, float radius)
 {
-    float spokes = _ScreenSize.x, turns = atan2(position.x, position.y) / TWO_PI + _PictureView.y;
-    float spoke = (turns - floor(turns)) * spokes, width = spokes / (TWO_PI * max(radius, 0.5));
-    float cells = _ScreenSize.y / (0.5 * _PictureView.x);
-    uint first = (uint)max(0.0, floor((radius - 0.5) * cells));
-    uint last = min(_ScreenSize.y - 1, max(first, (uint)ceil((radius + 0.5) * cells) - 1));
-    first = min(first, last);
-    float2 largest = 0.0;
+    float spoke = PixelSpoke(position, _PictureView.y), width = PixelWidth(radius), largest = 0.0;
+    uint2 cells = PixelCells(radius, 0.5 * _PictureView.x);
     if (width < 1.0)
     {
         int below = (int)floor(spoke);
-        largest = lerp(LargestVideo(below, first, last), LargestVideo(below + 1, first, last), spoke - below);
+        largest = lerp(FadedVideo(below, cells), FadedVideo(below + 1, cells), spoke - below);
     }
     else
     {
-        float reach = min(0.5 * width, SCREEN_PIXEL_SPOKES);
-        int end = (int)floor(spoke + reach + 0.5);
+        int2 spokes = PixelSpokes(spoke, width);
         [loop]
-        for (int at = (int)floor(spoke - reach + 0.5); at <= end; at++)
-            largest = max(largest, LargestVideo(at, first, last));
+        for (int at = spokes.x; at <= spokes.y; at++)
+            largest = max(largest, FadedVideo(at, cells));
+    }
+    return largest;
+}
+
+// The largest trail of the map's pixels that a pixel touches.
+float TrailAt(float2 position)
+{
+    float2 up = _PictureTrail.zw, place = _PictureTrail.xy + position.x * float2(up.y, -up.x) + position.y * up;
+    float reach = TRAIL_REACH * length(up), largest = 0.0;
+    int2 first = (int2)floor(place - reach), last = (int2)floor(place + reach);
+    [loop]
+    for (int y = first.y; y <= last.y; y++)
+    {
+        [loop]
+        for (int x = first.x; x <= last.x; x++)
+            largest = max(largest,
+                _ShownTrails[((uint)y & (TRAIL_SIDE - 1)) * TRAIL_SIDE + ((uint)x & (TRAIL_SIDE - 1))]);
     }
     return largest;
 }
@@ -78,9 +87,8 @@ float3 ColourAt(float2 position)
     float radius = length(position);
     if (radius > 0.5 * _PictureView.x)
         return _PictureColours[0].rgb;
-    float2 video = VideoAt(position, radius);
-    float3 colour = lerp(_PictureColours[1].rgb, _PictureColours[3].rgb, video.y);
-    colour = lerp(colour, _PictureColours[2].rgb, video.x);
+    float3 colour = lerp(_PictureColours[1].rgb, _PictureColours[3].rgb, TrailAt(position));
+    colour = lerp(colour, _PictureColours[2].rgb, VideoAt(position, radius));
     if (_PictureView.z > 0.0)
         colour = DrawOver(colour, 4, abs(radius - max(1.0, floor(radius / _PictureView.z + 0.5)) * _PictureView.z));
     colour = DrawLine(colour, position, _PictureHeading, 5);
@@ -95,7 +103,7 @@ void ScreenPicture(uint3 id : SV_DispatchThreadID)
     if (id.x >= side || id.y >= side)
         return;
     float3 colour = ColourAt(float2(id.xy) + 0.5 - 0.5 * _PictureView.x);
-    _Picture[id.xy] = float4(_PictureFade.w != 0.0 ? Decoded(colour) : colour, 1.0);
+    _Picture[id.xy] = float4(_PictureFade.z != 0.0 ? Decoded(colour) : colour, 1.0);
 }
 
 #endif

@@ -11,11 +11,11 @@ StructuredBuffer<float> _BeamWeights;      // by the distance in spokes
 StructuredBuffer<float> _PulseWeights;     // by the distance in cells
 RWStructuredBuffer<float2> _Signals;       // of the spokes of this dispatch: field before the pulse's weights
 RWStructuredBuffer<float> _Levels;         // of a turn: dB over noise
-RWStructuredBuffer<float2> _Video;         // of a turn: video and trail, 0 to 1, when the spoke was finished
+RWStructuredBuffer<float2> _Video;         // of a turn when the spoke was finished: video with persistence, and without
 
 float4 _Receiver;                          // gain, dB; 1 / dynamic range, 1/dB; sensitivity time, cells; root of the
                                            // power of the noise before the pulse's weights, over that behind them
-float4 _ReceiverFilters;                   // shares of rain and clutter filter; what is left of video and trail a turn
+float4 _ReceiverFilters;                   // shares of rain and clutter filter; what persistence leaves of video a turn
 uint _PulseCells;                          // weights of the pulse
 
 static const float SMALLEST_POWER = 1.0e-6;
@@ -103,9 +103,7 @@ void ScreenVideo(uint3 id : SV_DispatchThreadID)
     if (_ReceiverFilters.y > 0.0)
         level -= _ReceiverFilters.y * max(0.0, LevelAround(spoke, id.x));
     float video = saturate((level + _Receiver.x) * _Receiver.y);
-    float2 old = _Video[element];
-    _Video[element] = float2(max(video, old.x * _ReceiverFilters.z),
-        _ReceiverFilters.w > 0.0 ? max(video, old.y * _ReceiverFilters.w) : 0.0);
+    _Video[element] = float2(max(video, _Video[element].x * _ReceiverFilters.z), video);
 }
 
 #endif

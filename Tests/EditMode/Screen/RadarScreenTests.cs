@@ -191,6 +191,21 @@ namespace Glint.Tests
             Assert.That(pixels.Where((_, i) => i % 4 == 0).Max(), Is.GreaterThan(150), "an echo");
         }
 
+        // The compass makes +X north.
+        [Test]
+        public void TrueTrails_KeepTheirPlaceOverTheGround()
+        {
+            Make("Compass", Vector3.zero).AddComponent<Compass>().transform.rotation = Quaternion.Euler(0, 90, 0);
+            var receiver = _screen.Receiver;
+            (receiver.TrailTurns, receiver.TrailMotion) = (10, TrailMotion.True);
+            _screen.Receiver = receiver;
+            _screen.OwnShip.position = new Vector3(3000, 0, -2000);
+            _screen.Advance(0.1);
+            double pixel = _screen.Geometry.Radar.RangeScale / TrailMap.Radius;
+            Assert.That(_screen.Tracer.TrailMiddle.x, Is.EqualTo(2000 / pixel).Within(1e-3));
+            Assert.That(_screen.Tracer.TrailMiddle.y, Is.EqualTo(3000 / pixel).Within(1e-3));
+        }
+
         // 5 km away to the north-east, at 0.6 of the range scale.
         [Test]
         public void Detections_AreMarkedInThePicture()

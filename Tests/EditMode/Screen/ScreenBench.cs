@@ -11,12 +11,10 @@ namespace Glint.Tests
         /// <summary>Height of the antenna above the sea.</summary>
         public const double Height = 15;
 
-        readonly ScreenPoint[] _points;
-
         public ScreenBench(in ScreenRadar radar, params (double bearing, double range, double section)[] targets)
         {
             Tracer = new ScreenTracer(TestKernels.Screen, "test", radar);
-            _points = targets.Select(target => Tracer.Geometry.PointOf(
+            Points = targets.Select(target => Tracer.Geometry.PointOf(
                 At(target.bearing, target.range), new double3(0, Height, 0), target.section)).ToArray();
         }
 
@@ -25,6 +23,11 @@ namespace Glint.Tests
         public ScreenGeometry Geometry => Tracer.Geometry;
 
         public ScreenReceiver Receiver = ScreenReceiver.Default;
+
+        public ScreenPoint[] Points;
+
+        /// <summary>Of the antenna, where true trails keep their place.</summary>
+        public double2 Position;
 
         /// <summary>Default radar with fewer spokes and cells.</summary>
         public static ScreenRadar Small(int spokes = 1024, int cells = 256)
@@ -42,9 +45,9 @@ namespace Glint.Tests
         public void Frame(double bearing)
         {
             Tracer.Begin(bearing / 360);
-            Tracer.AddPoints(_points, _points.Length);
+            Tracer.AddPoints(Points, Points.Length);
             Tracer.AddRain();
-            Tracer.Finish(Receiver);
+            Tracer.Finish(Receiver, Position);
         }
 
         /// <summary>Turns from a bearing to another in frames of some degrees.</summary>
@@ -69,6 +72,13 @@ namespace Glint.Tests
             var video = new float2[Geometry.Radar.Spokes * Geometry.Radar.Cells];
             Tracer.Video.ReadBack(video, video.Length);
             return video;
+        }
+
+        public float[] Trails()
+        {
+            var trails = new float[TrailMap.Side * TrailMap.Side];
+            Tracer.Trails.ReadBack(trails, trails.Length);
+            return trails;
         }
 
         public int Element(int spoke, int cell) =>

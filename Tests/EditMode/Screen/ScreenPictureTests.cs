@@ -20,21 +20,23 @@ namespace Glint.Tests
         };
 
         // Larger than the cells, so that it interpolates, and smaller, so that pixels have several of them.
-        [TestCase(900, 256, 64, PictureOrientation.NorthUp)]
-        [TestCase(150, 1024, 512, PictureOrientation.HeadUp)]
-        public void Pixels_AreThoseOfTheProcessor(int side, int spokes, int cells, PictureOrientation orientation)
+        [TestCase(900, 256, 64, PictureOrientation.NorthUp, TrailMotion.Relative)]
+        [TestCase(150, 1024, 512, PictureOrientation.HeadUp, TrailMotion.True)]
+        public void Pixels_AreThoseOfTheProcessor(int side, int spokes, int cells, PictureOrientation orientation,
+            TrailMotion motion)
         {
             var radar = ScreenBench.Small(spokes, cells);
             (radar.BeamWidth, radar.RainRate) = (6, 30);
             using (var bench = new ScreenBench(radar, (10, 3000, 1e4), (200, 8000, 1e3), (359, 11000, 1e5)))
             {
                 (bench.Receiver.TrailTurns, bench.Receiver.PersistenceTurns) = (5, 1);
+                (bench.Receiver.TrailMotion, bench.Position) = (motion, new double2(-1234, 56789));
                 bench.Turn(0, 500);
                 var display = DisplayOf(side, orientation);
                 (display.HasBearingLine, display.BearingLine, display.RangeMarker) = (true, 250, 4000);
                 var view = ScreenView.Of(bench.Geometry, display, bench.Receiver, s_colours, Heading / 360,
-                    bench.Tracer.Front - 1);
-                byte[] expected = new ScreenPicture(bench.Geometry, view, bench.Video()).Draw();
+                    bench.Tracer.Front - 1, bench.Tracer.TrailMiddle);
+                byte[] expected = new ScreenPicture(bench.Geometry, view, bench.Video(), bench.Trails()).Draw();
                 byte[] pixels = Draw(bench, view);
                 int different = 0;
                 for (int i = 0; i < pixels.Length; i++)
@@ -58,7 +60,7 @@ namespace Glint.Tests
                 var display = DisplayOf(side, orientation);
                 display.RangeRings = 0;
                 byte[] pixels = Draw(bench, ScreenView.Of(bench.Geometry, display, bench.Receiver, s_colours,
-                    Heading / 360, bench.Tracer.Front - 1));
+                    Heading / 360, bench.Tracer.Front - 1, 0));
                 double angle = math.radians(shown);
                 int x = (int)(side / 2 + side / 4 * Math.Sin(angle)), y = (int)(side / 2 + side / 4 * Math.Cos(angle));
                 Assert.That(pixels[4 * (y * side + x)], Is.GreaterThan(100), "echo");
@@ -79,7 +81,7 @@ namespace Glint.Tests
                 var colours = s_colours;
                 colours.Outside = 0.5;
                 var view = ScreenView.Of(bench.Geometry, DisplayOf(64, PictureOrientation.NorthUp), bench.Receiver,
-                    colours, 0, 0);
+                    colours, 0, 0, 0);
                 Assert.That(Draw(bench, view)[0], Is.EqualTo(128).Within(1));
                 Assert.That(Draw(bench, view, isLinear: true)[0], Is.EqualTo(0.214 * 255).Within(1));
             }

@@ -157,8 +157,12 @@ namespace Glint.Tests
         {
             Assert.That(ShaderConstants.Of("Screen.hlsl"), Is.EquivalentTo(
                 new Dictionary<string, double> { ["ECHO_UNITS"] = ScreenGeometry.UnitsOfNoise }));
-            Assert.That(ShaderConstants.Of("ScreenPicture.hlsl")["SCREEN_PIXEL_SPOKES"],
-                Is.EqualTo(ScreenPicture.MaxSpokes));
+            Assert.That(ShaderConstants.Of("ScreenPixel.hlsl"), Is.EquivalentTo(new Dictionary<string, double>
+            {
+                ["SCREEN_PIXEL_SPOKES"] = ScreenPicture.MaxSpokes, ["TRAIL_SIDE"] = TrailMap.Side,
+                ["TRAIL_RADIUS"] = TrailMap.Radius
+            }));
+            Assert.That(ShaderConstants.Of("ScreenPicture.hlsl")["TRAIL_REACH"], Is.EqualTo(ScreenPicture.TrailReach));
         }
 
         // Narrow cells around 1,000 m, and a beam without effect in elevation.

@@ -124,7 +124,6 @@ namespace Glint.Tests
                 using (var bench = new ScreenBench(ScreenBench.Small(),
                     (3, 4000, 1e3), (179.9, 5000, 1e3), (359.9, 6000, 1e3)))
                 {
-                    bench.Receiver.TrailTurns = 10;
                     bench.Turn(-5, 725, step);
                     return (bench.Levels(), bench.Video());
                 }
@@ -165,7 +164,7 @@ namespace Glint.Tests
                 bench.Receiver = new ScreenReceiver
                 {
                     GainDb = -3, DynamicRangeDb = 50, SensitivityTimeRange = 5000, RainFilter = 0.4, ClutterFilter = 0.6,
-                    PersistenceTurns = 1.5, TrailTurns = 4
+                    PersistenceTurns = 1.5
                 };
                 bench.Turn(0, 10);
                 var reference = new ScreenVideoReference(bench.Geometry, bench.Receiver);

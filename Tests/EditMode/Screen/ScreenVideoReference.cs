@@ -19,7 +19,7 @@ namespace Glint.Tests
             Video = new double2[geometry.Radar.Spokes * geometry.Radar.Cells];
         }
 
-        /// <summary>Video and trail of a turn.</summary>
+        /// <summary>Video of a turn with persistence, and without.</summary>
         public double2[] Video { get; }
 
         public void Finish(float[] levels, int first, int count)
@@ -40,10 +40,9 @@ namespace Glint.Tests
                         - _receiver.RainFilter * Math.Max(0, cell >= pulse ? controlled[cell - pulse] : 0)
                         - _receiver.ClutterFilter * Math.Max(0, around.Average(at => controlled[at]));
                     double video = Math.Max(0, Math.Min(1, (level + _receiver.GainDb) / _receiver.DynamicRangeDb));
-                    double2 old = Video[spoke * cells + cell];
+                    double old = Video[spoke * cells + cell].x;
                     Video[spoke * cells + cell] = new double2(
-                        Math.Max(video, old.x * Math.Exp(-1 / _receiver.PersistenceTurns)),
-                        Math.Max(video, old.y * Math.Exp(-1 / _receiver.TrailTurns)));
+                        Math.Max(video, old * Math.Exp(-1 / _receiver.PersistenceTurns)), video);
                 }
             }
         }

@@ -18,9 +18,11 @@ namespace Glint.Core
             _cells = new byte[geometry.Radar.Cells];
         }
 
-        /// <summary>The message of a spoke: its video without trails, in 8 bits.</summary>
+        /// <summary>The message of a spoke: its video with persistence, in 8 bits.</summary>
         /// <param name="spoke">Counted from north or from the first turn.</param>
-        /// <param name="video">Video and trails of spokes, the first of which begins at <paramref name="first"/>.</param>
+        /// <param name="video">
+        /// Video of spokes, with persistence and without, the first of which begins at <paramref name="first"/>.
+        /// </param>
         /// <param name="secondsOfDay">Time after midnight UTC.</param>
         public byte[] Encode(long spoke, float2[] video, int first, double secondsOfDay)
         {

@@ -12,15 +12,23 @@ namespace Glint.Core
         /// <summary>Largest number of spokes that a pixel shows, to each side: SCREEN_PIXEL_SPOKES.</summary>
         public const int MaxSpokes = 64;
 
+        /// <summary>
+        /// Half a pixel: TRAIL_REACH. It is smaller, so that rounding decides nothing where edges of pixels meet.
+        /// </summary>
+        public const double TrailReach = 0.49;
+
         readonly ScreenGeometry _geometry;
         readonly ScreenView _view;
         readonly float2[] _video;
+        readonly float[] _trails;
 
         /// <param name="video">
-        /// Brightness and trail of each cell, 0 to 1, spoke by spoke: a turn as it was when its spokes were finished.
+        /// Brightness of each cell, 0 to 1, spoke by spoke, with persistence and without: a turn as it was when its
+        /// spokes were finished.
         /// </param>
-        public ScreenPicture(ScreenGeometry geometry, in ScreenView view, float2[] video) =>
-            (_geometry, _view, _video) = (geometry, view, video);
+        /// <param name="trails">0 to 1, row by row from the south: <see cref="TrailMap"/>.</param>
+        public ScreenPicture(ScreenGeometry geometry, in ScreenView view, float2[] video, float[] trails) =>
+            (_geometry, _view, _video, _trails) = (geometry, view, video, trails);
 
         /// <summary>
         /// Pixels of four bytes (red, green, blue, 255), row by row from the bottom, encoded for screens (sRGB).
@@ -47,9 +55,8 @@ namespace Glint.Core
             double radius = math.length(point), half = _view.Side / 2.0;
             if (radius > half)
                 return _view.Colours.Outside;
-            double2 video = VideoAt(point, radius);
-            double3 colour = math.lerp(_view.Colours.Background, _view.Colours.Trail, video.y);
-            colour = math.lerp(colour, _view.Colours.Echo, video.x);
+            double3 colour = math.lerp(_view.Colours.Background, _view.Colours.Trail, TrailAt(point));
+            colour = math.lerp(colour, _view.Colours.Echo, VideoAt(point, radius));
             if (_view.RingSpacing > 0)
             {
                 double nearest = Math.Max(1, Math.Floor(radius / _view.RingSpacing + 0.5));
@@ -62,7 +69,7 @@ namespace Glint.Core
         }
 
         // The largest video of the cells that a pixel touches.
-        double2 VideoAt(double2 point, double radius)
+        double VideoAt(double2 point, double radius)
         {
             double turns = Math.Atan2(point.x, point.y) / (2 * Math.PI) + _view.Up;
             double spoke = (turns - Math.Floor(turns)) * _geometry.Radar.Spokes,
@@ -78,19 +85,33 @@ namespace Glint.Core
                 return math.lerp(Largest(below, first, last), Largest(below + 1, first, last), spoke - below);
             }
             double reach = Math.Min(width / 2, MaxSpokes);
-            double2 largest = 0;
+            double largest = 0;
             for (int at = (int)Math.Floor(spoke - reach + 0.5); at <= (int)Math.Floor(spoke + reach + 0.5); at++)
-                largest = math.max(largest, Largest(at, first, last));
+                largest = Math.Max(largest, Largest(at, first, last));
             return largest;
         }
 
-        double2 Largest(int spoke, int first, int last)
+        double Largest(int spoke, int first, int last)
         {
             int at = _geometry.InTurn(spoke), age = _geometry.InTurn(_view.Front - at);
-            float2 largest = 0;
+            double largest = 0;
             for (int cell = first; cell <= last; cell++)
-                largest = math.max(largest, _video[at * _geometry.Radar.Cells + cell]);
-            return largest * math.exp(-_view.FadeASpoke * age);
+                largest = Math.Max(largest, _video[at * _geometry.Radar.Cells + cell].x);
+            return largest * Math.Exp(-_view.FadeASpoke * age);
+        }
+
+        // The largest trail of the map's pixels that a pixel touches.
+        double TrailAt(double2 point)
+        {
+            double2 up = _view.TrailUp,
+                place = _view.TrailMiddle + point.x * new double2(up.y, -up.x) + point.y * up;
+            double reach = TrailReach * math.length(up), largest = 0;
+            double2 first = math.floor(place - reach), last = math.floor(place + reach);
+            for (int y = (int)first.y; y <= (int)last.y; y++)
+                for (int x = (int)first.x; x <= (int)last.x; x++)
+                    largest = Math.Max(largest,
+                        _trails[(y & (TrailMap.Side - 1)) * TrailMap.Side + (x & (TrailMap.Side - 1))]);
+            return largest;
         }
 
         static double3 WithLine(double3 colour, double2 point, double4 line, double3 of) => line.z > 0
@@ -113,8 +134,14 @@ namespace Glint.Core
         /// <summary>The spoke that was finished last.</summary>
         public int Front;
 
-        /// <summary>Exponents of the fading of video and trails a spoke.</summary>
-        public double2 FadeASpoke;
+        /// <summary>Exponent of the fading of video a spoke.</summary>
+        public double FadeASpoke;
+
+        /// <summary>Pixel of the antenna in the map of trails.</summary>
+        public double2 TrailMiddle;
+
+        /// <summary>The way of one pixel up in the map of trails, to the east and north.</summary>
+        public double2 TrailUp;
 
         /// <summary>Pixels between range rings; 0: none.</summary>
         public double RingSpacing;
@@ -147,9 +174,13 @@ namespace Glint.Core
         /// <summary>The view of a display.</summary>
         /// <param name="headingTurns">Of the own ship, from north.</param>
         /// <param name="front">The spoke that was finished last.</param>
+        /// <param name="trailMiddle">Pixel of the antenna in the map of trails.</param>
         public static ScreenView Of(ScreenGeometry geometry, in ScreenDisplay display, in ScreenReceiver receiver,
-            in ScreenColours colours, double headingTurns, long front)
+            ScreenColours colours, double headingTurns, long front, double2 trailMiddle)
         {
+            // The map keeps what it had when trails were turned off.
+            if (receiver.TrailTurns == 0)
+                colours.Trail = colours.Background;
             int spokes = geometry.Radar.Spokes;
             double half = display.Side / 2.0, up = display.Orientation == PictureOrientation.HeadUp ? headingTurns : 0;
             double4 Line(bool isDrawn, double turns) => new double4(Math.Sin(2 * Math.PI * (turns - up)),
@@ -157,7 +188,9 @@ namespace Glint.Core
             return new ScreenView
             {
                 Side = display.Side, Up = up - Math.Floor(up), Front = (int)(front & (spokes - 1)),
-                FadeASpoke = receiver.FadeATurn / spokes,
+                FadeASpoke = receiver.FadeATurn.x / spokes, TrailMiddle = trailMiddle,
+                TrailUp = TrailMap.Radius / half
+                    * new double2(Math.Sin(2 * Math.PI * up), Math.Cos(2 * Math.PI * up)),
                 RingSpacing = display.RangeRings > 0 ? half / display.RangeRings : 0,
                 HeadingLine = Line(display.HasHeadingLine, headingTurns),
                 BearingLine = Line(display.HasBearingLine, display.BearingLine / 360),

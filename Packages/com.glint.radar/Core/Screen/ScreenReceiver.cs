@@ -27,7 +27,7 @@ namespace Glint.Core
             { nameof(PersistenceTurns), it => it.PersistenceTurns, "Persistence", "turns", Interval.Closed(0, 100),
                 "Turns in which a picture fades to 1/e. 0: it does not fade, and the next turn replaces it." },
             { nameof(TrailTurns), it => it.TrailTurns, "Trails", "turns", Interval.Closed(0, 10000),
-                "Turns in which trails fade to 1/e. They are relative to the own ship. 0: none." }
+                "Turns in which trails fade to 1/e. 0: none." }
         };
 
         /// <summary>dB.</summary>
@@ -51,13 +51,17 @@ namespace Glint.Core
         /// <summary>Turns in which trails fade to 1/e; 0: no trails.</summary>
         public double TrailTurns;
 
+        /// <summary>Whether trails are relative to the own ship or true.</summary>
+        public TrailMotion TrailMotion;
+
         /// <summary>
-        /// Exponents of the fading of video and trails in a turn; 0: they do not fade, and the next turn replaces them.
+        /// Exponents of the fading of video and trails in a turn. 0: video does not fade, and the next turn replaces
+        /// it; there are no trails.
         /// </summary>
         public double2 FadeATurn => new double2(FadeOf(PersistenceTurns), FadeOf(TrailTurns));
 
-        /// <summary>What the next turn keeps of video and trails.</summary>
-        public double2 KeptATurn => math.select(math.exp(-FadeATurn), 0, FadeATurn == 0);
+        /// <summary>What the next turn keeps of video.</summary>
+        public double KeptATurn => PersistenceTurns > 0 ? Math.Exp(-FadeATurn.x) : 0;
 
         /// <summary>No filters, a picture that fades over two turns.</summary>
         public static ScreenReceiver Default => new ScreenReceiver

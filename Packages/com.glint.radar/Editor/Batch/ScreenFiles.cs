@@ -92,6 +92,8 @@ namespace Glint.Editor
             Add(info, ScreenRadar.Measures, _screen.Radar);
             info.Settings.Add(new RunSetting("polarisation", _screen.Radar.Polarisation.ToString().ToLowerInvariant()));
             Add(info, ScreenReceiver.Measures, _screen.Receiver);
+            info.Settings.Add(new RunSetting("trail_motion",
+                _screen.Receiver.TrailMotion.ToString().ToLowerInvariant()));
             if (_screen.Sea != null)
                 info.Settings.Add(new RunSetting("clutter", _screen.Sea.CurrentClutter().ToString()));
             if (!_line.IsGiven(ScreenOptions.Detect))

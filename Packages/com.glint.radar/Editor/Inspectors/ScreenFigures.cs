@@ -16,7 +16,10 @@ namespace Glint.Editor
 
         /// <summary>The same of <see cref="ScreenReceiver"/>.</summary>
         public static readonly (string field, string label, string tooltip)[] Receiver = ScreenReceiver.Measures
-            .Select(measure => measure.Row).ToArray();
+            .Select(measure => measure.Row)
+            .Append((nameof(ScreenReceiver.TrailMotion), "Trail Motion",
+                "Relative: trails keep their place beside the own ship. True: over the ground."))
+            .ToArray();
 
         /// <summary>The same of <see cref="ScreenDisplay"/>.</summary>
         public static readonly (string field, string label, string tooltip)[] Display = ScreenDisplay.Measures

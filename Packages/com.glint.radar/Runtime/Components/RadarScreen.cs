@@ -218,7 +218,9 @@ namespace Glint
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
         public List<ScreenDetected> ReadDetections() => _detection.Detect(Ready().Geometry, ReadLevels());
 
-        /// <summary>Reads video and trail of a turn, 0 to 1, spoke by spoke. It waits for the device.</summary>
+        /// <summary>
+        /// Reads the video of a turn, 0 to 1, spoke by spoke: with persistence, and without. It waits for the device.
+        /// </summary>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
         public float2[] ReadVideo()
         {
@@ -228,7 +230,7 @@ namespace Glint
         }
 
         /// <summary>
-        /// Reads video and trail of the spokes that the last frame finished, spoke by spoke. It waits for the device.
+        /// Reads the video of the spokes that the last frame finished, as <see cref="ReadVideo"/>.
         /// </summary>
         /// <param name="first">Number of the first spoke, counted from north in the first turn.</param>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
@@ -243,7 +245,12 @@ namespace Glint
         /// the device's video. It waits for the device, and is the way where <see cref="Picture"/> is null.
         /// </summary>
         /// <inheritdoc cref="ReadLevels" path="/exception"/>
-        public byte[] ReadPicture() => new ScreenPicture(Ready().Geometry, View(), ReadVideo()).Draw();
+        public byte[] ReadPicture()
+        {
+            var trails = new float[Ready().Trails.Capacity];
+            _tracer.Trails.ReadBack(trails, trails.Length);
+            return new ScreenPicture(_tracer.Geometry, View(), ReadVideo(), trails).Draw();
+        }
 
         /// <summary>Colours the pixels of detections as bearing line and range marker.</summary>
         /// <param name="picture">Bytes of <see cref="ReadPicture"/>, or of <see cref="Picture"/>.</param>
@@ -277,7 +284,7 @@ namespace Glint
             int points = GatherPoints();
             _tracer.AddPoints(_points, points, _waves != null);
             _tracer.AddRain();
-            _tracer.Finish(_receiver);
+            _tracer.Finish(_receiver, FromWorld(transform.position).xz);
             if (_picture == null)
                 return;
             // A device that was lost takes the texture with it.
@@ -428,16 +435,12 @@ namespace Glint
                 _tracer.AddTargets(_targets, (float3)transform.position, SeaLevel, NorthTurns(), _waves != null);
         }
 
-        // Those in the spokes of the frame, with positions of the world, north as +Z and the sea at 0.
+        // Those in the spokes of the frame.
         int GatherPoints()
         {
             var reflectors = RadarReflector.Enabled;
             if (_points.Length < reflectors.Count)
                 _points = new ScreenPoint[2 * reflectors.Count];
-            double north = NorthTurns() * 2 * Math.PI, cosine = Math.Cos(north), sine = Math.Sin(north),
-                seaLevel = SeaLevel;
-            double3 FromWorld(Vector3 position) => new double3(position.x * cosine - position.z * sine,
-                position.y - seaLevel, position.x * sine + position.z * cosine);
             var antenna = FromWorld(transform.position);
             int count = 0;
             for (int i = 0; i < reflectors.Count; i++)
@@ -447,6 +450,14 @@ namespace Glint
                     _points[count++] = _tracer.Geometry.PointOf(position, antenna, reflectors[i].CrossSection);
             }
             return count;
+        }
+
+        // Position with north as +Z and the sea at 0.
+        double3 FromWorld(Vector3 position)
+        {
+            double north = NorthTurns() * 2 * Math.PI, cosine = Math.Cos(north), sine = Math.Sin(north);
+            return new double3(position.x * cosine - position.z * sine, position.y - SeaLevel,
+                position.x * sine + position.z * cosine);
         }
 
         double SeaLevel => _sea == null ? 0 : _sea.transform.position.y;
@@ -459,7 +470,7 @@ namespace Glint
         {
             Outside = Of(_outside), Background = Of(_background), Echo = Of(_echo), Trail = Of(_trail),
             Rings = Of(_rings), Heading = Of(_heading), Marker = Of(_marker)
-        }, _headingTurns, _tracer.Front - 1);
+        }, _headingTurns, _tracer.Front - 1, _tracer.TrailMiddle);
 
         static double3 Of(Color colour) => new double3(colour.r, colour.g, colour.b);
 

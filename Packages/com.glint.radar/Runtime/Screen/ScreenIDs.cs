@@ -31,9 +31,13 @@ namespace Glint
         public static readonly int _Receiver = Shader.PropertyToID("_Receiver");
         public static readonly int _ReceiverFilters = Shader.PropertyToID("_ReceiverFilters");
         public static readonly int _ShownVideo = Shader.PropertyToID("_ShownVideo");
+        public static readonly int _Trails = Shader.PropertyToID("_Trails");
+        public static readonly int _TrailFrame = Shader.PropertyToID("_TrailFrame");
+        public static readonly int _ShownTrails = Shader.PropertyToID("_ShownTrails");
         public static readonly int _Picture = Shader.PropertyToID("_Picture");
         public static readonly int _PictureView = Shader.PropertyToID("_PictureView");
         public static readonly int _PictureFade = Shader.PropertyToID("_PictureFade");
+        public static readonly int _PictureTrail = Shader.PropertyToID("_PictureTrail");
         public static readonly int _PictureHeading = Shader.PropertyToID("_PictureHeading");
         public static readonly int _PictureBearing = Shader.PropertyToID("_PictureBearing");
         public static readonly int _PictureColours = Shader.PropertyToID("_PictureColours");

@@ -20,7 +20,8 @@ namespace Glint
         const int Group = 64, PictureGroup = 8;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _points, _pointsOverSea, _targets, _targetsOverSea, _sea, _rain, _beam, _level, _video, _picture;
+        readonly int _clear, _points, _pointsOverSea, _targets, _targetsOverSea, _sea, _rain, _beam, _level, _video,
+            _trails, _picture;
         readonly ScreenSweep _sweep;
         readonly int[] _size = new int[4], _slice = new int[4];
         readonly Vector4[] _colours = new Vector4[7];
@@ -30,6 +31,8 @@ namespace Glint
         readonly DeviceBuffer<float2> _signals = new DeviceBuffer<float2>("signals of a radar screen");
 
         ScreenSlice _current;
+        // Position of the antenna when trails were written; not a number: there are none.
+        double2 _trailPosition = double.NaN;
 
         /// <param name="shader">Shaders/Screen.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
@@ -52,6 +55,7 @@ namespace Glint
             _beam = shader.FindKernel("ScreenBeam");
             _level = shader.FindKernel("ScreenLevel");
             _video = shader.FindKernel("ScreenVideo");
+            _trails = shader.FindKernel("ScreenTrails");
             _picture = shader.FindKernel("ScreenPicture");
             _sweep = new ScreenSweep(Geometry);
             long cells = (long)radar.Spokes * radar.Cells;
@@ -61,6 +65,7 @@ namespace Glint
                 // Spokes that were not finished yet are dark.
                 Levels.Upload(new float[cells]);
                 Video.Upload(new float2[cells]);
+                Trails.Upload(new float[TrailMap.Side * TrailMap.Side]);
                 _signals.Reserve((long)_sweep.MaxSpokes * radar.Cells);
                 _beamWeights.Upload(Geometry.Beam);
                 _pulseWeights.Upload(Geometry.Pulse);
@@ -84,8 +89,16 @@ namespace Glint
         /// <summary>Level of each spoke and cell of a turn, dB over noise.</summary>
         public DeviceBuffer<float> Levels { get; } = new DeviceBuffer<float>("levels of a radar screen");
 
-        /// <summary>Video and trail of each spoke and cell of a turn when the spoke was finished, 0 to 1.</summary>
+        /// <summary>
+        /// Video of each spoke and cell of a turn when the spoke was finished, 0 to 1: with persistence, and without.
+        /// </summary>
         public DeviceBuffer<float2> Video { get; } = new DeviceBuffer<float2>("video of a radar screen");
+
+        /// <summary>Trails, 0 to 1: <see cref="TrailMap"/>.</summary>
+        public DeviceBuffer<float> Trails { get; } = new DeviceBuffer<float>("trails of a radar screen");
+
+        /// <summary>Pixel of the antenna in the map of trails.</summary>
+        public double2 TrailMiddle { get; private set; }
 
         /// <summary>The spokes of the frame.</summary>
         public ScreenSlice Slice => _current;
@@ -169,9 +182,15 @@ namespace Glint
             Dispatch(_rain, Geometry.Radar.Cells, _current.Traced);
         }
 
-        /// <summary>From the echoes to the video of the spokes that the antenna has passed.</summary>
-        public void Finish(in ScreenReceiver receiver)
+        /// <summary>From the echoes to video and trails of the spokes that the antenna has passed.</summary>
+        /// <param name="position">
+        /// Of the antenna where true trails keep their place, metres to the east and to the north.
+        /// </param>
+        public void Finish(in ScreenReceiver receiver, double2 position = default)
         {
+            if (receiver.TrailMotion == TrailMotion.Relative)
+                position = 0;
+            TrailMiddle = TrailMap.PixelOf(position, Geometry.Radar.RangeScale);
             if (_current.Finished == 0)
                 return;
             SetSlice(_shader, _current.FirstFinished, _current.Finished);
@@ -187,13 +206,14 @@ namespace Glint
             _shader.SetBuffer(_video, ScreenIDs._Levels, Levels.Buffer);
             _shader.SetBuffer(_video, ScreenIDs._Video, Video.Buffer);
             Dispatch(_video, Geometry.Radar.Cells, _current.Finished);
+            WriteTrails(receiver, position);
         }
 
         /// <summary>Of the spokes that the last frame finished, those before the turn begins again.</summary>
         public int FinishedBeforeNorth => Math.Min(_current.Finished,
             Geometry.Radar.Spokes - Geometry.InTurn(_current.FirstFinished));
 
-        /// <summary>Reads video and trails of the spokes that the last frame finished. It waits for the device.</summary>
+        /// <summary>Reads the video of the spokes that the last frame finished. It waits for the device.</summary>
         public float2[] ReadFrame()
         {
             int cells = Geometry.Radar.Cells, first = Geometry.InTurn(_current.FirstFinished), whole = FinishedBeforeNorth;
@@ -216,8 +236,10 @@ namespace Glint
             _shader.SetInts(ScreenIDs._ScreenSize, _size);
             _shader.SetVector(ScreenIDs._PictureView,
                 new Vector4(view.Side, (float)view.Up, (float)view.RingSpacing, (float)view.Marker));
-            _shader.SetVector(ScreenIDs._PictureFade, new Vector4((float)view.FadeASpoke.x, (float)view.FadeASpoke.y,
-                view.Front, isLinear ? 1 : 0));
+            _shader.SetVector(ScreenIDs._PictureFade,
+                new Vector4((float)view.FadeASpoke, view.Front, isLinear ? 1 : 0, 0));
+            _shader.SetVector(ScreenIDs._PictureTrail, new Vector4((float)view.TrailMiddle.x, (float)view.TrailMiddle.y,
+                (float)view.TrailUp.x, (float)view.TrailUp.y));
             _shader.SetVector(ScreenIDs._PictureHeading, (float4)view.HeadingLine);
             _shader.SetVector(ScreenIDs._PictureBearing, (float4)view.BearingLine);
             var colours = view.Colours;
@@ -227,9 +249,9 @@ namespace Glint
             _colours[6] = colours.Marker.ToVector();
             _shader.SetVectorArray(ScreenIDs._PictureColours, _colours);
             _shader.SetBuffer(_picture, ScreenIDs._ShownVideo, Video.Buffer);
+            _shader.SetBuffer(_picture, ScreenIDs._ShownTrails, Trails.Buffer);
             _shader.SetTexture(_picture, ScreenIDs._Picture, picture);
-            int groups = (view.Side + PictureGroup - 1) / PictureGroup;
-            _shader.Dispatch(_picture, groups, groups, 1);
+            DispatchSquare(_picture, view.Side);
         }
 
         /// <summary>Releases all buffers on the device.</summary>
@@ -238,10 +260,30 @@ namespace Glint
             Echo.Dispose();
             Levels.Dispose();
             Video.Dispose();
+            Trails.Dispose();
             _pointBuffer.Dispose();
             _beamWeights.Dispose();
             _pulseWeights.Dispose();
             _signals.Dispose();
+        }
+
+        void WriteTrails(in ScreenReceiver receiver, double2 position)
+        {
+            if (receiver.TrailTurns == 0)
+            {
+                _trailPosition = double.NaN;
+                return;
+            }
+            // Not after a jump, and not those from before trails were off.
+            bool isKept = math.distance(position, _trailPosition) * TrailMap.Radius
+                < TrailMap.MaxStep * Geometry.Radar.RangeScale;
+            _trailPosition = position;
+            double kept = isKept ? Math.Exp(-receiver.FadeATurn.y * _current.Finished / Geometry.Radar.Spokes) : 0;
+            _shader.SetVector(ScreenIDs._TrailFrame,
+                new Vector4((float)TrailMiddle.x, (float)TrailMiddle.y, (float)kept, 0));
+            _shader.SetBuffer(_trails, ScreenIDs._ShownVideo, Video.Buffer);
+            _shader.SetBuffer(_trails, ScreenIDs._Trails, Trails.Buffer);
+            DispatchSquare(_trails, TrailMap.Side);
         }
 
         void SetSlice(ComputeShader shader, long first, int count)
@@ -256,10 +298,15 @@ namespace Glint
             _shader.SetVector(ScreenIDs._Receiver, new Vector4((float)receiver.GainDb,
                 (float)(1 / receiver.DynamicRangeDb), (float)(receiver.SensitivityTimeRange / Geometry.CellSize),
                 (float)Math.Sqrt(Geometry.NoiseGain)));
-            double2 kept = receiver.KeptATurn;
             _shader.SetVector(ScreenIDs._ReceiverFilters, new Vector4((float)receiver.RainFilter,
-                (float)receiver.ClutterFilter, (float)kept.x, (float)kept.y));
+                (float)receiver.ClutterFilter, (float)receiver.KeptATurn, 0));
             _shader.SetInt(ScreenIDs._PulseCells, Geometry.Pulse.Length);
+        }
+
+        void DispatchSquare(int kernel, int side)
+        {
+            int groups = (side + PictureGroup - 1) / PictureGroup;
+            _shader.Dispatch(kernel, groups, groups, 1);
         }
 
         void Dispatch(int kernel, int across, int rows) => _shader.Dispatch(kernel, (across + Group - 1) / Group, rows, 1);

@@ -30,6 +30,9 @@ public sealed class RadarScreenTests
             (radar.Spokes, radar.Cells, radar.RainRate, radar.RangeScale) = (1024, 64, 5, 500);
             var display = ScreenDisplay.Default;
             display.Side = 64;
+            var receiver = ScreenReceiver.Default;
+            (receiver.TrailTurns, receiver.TrailMotion) = (10, TrailMotion.True);
+            screen.Receiver = receiver;
             (screen.Kernel, screen.SeaKernel) = (TestKernels.Screen, TestKernels.SeaField);
             (screen.Radar, screen.Display, screen.Layers) = (radar, display, 1 << layer);
             if (hasSea)
