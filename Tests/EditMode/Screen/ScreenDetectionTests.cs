@@ -27,6 +27,23 @@ namespace Glint.Tests
             }
         }
 
+        // A pulse of 600 ns is 8.3 cells long: noise of the spokes has 127,000 independent cells, of which 127 false alarms
+        // have a spread of 9 %. Reference cells a pulse apart are correlated by 0.06 in power, which raises the rate by
+        // up to 9 %.
+        [Test]
+        public void FalseAlarms_OfALongPulse_AreAsManyAsAskedFor([Values] CfarLevel level)
+        {
+            var radar = ScreenBench.Small(1024, 1024);
+            radar.PulseNanoseconds = 600;
+            using (var bench = new ScreenBench(radar))
+            {
+                bench.Turn(0, 360);
+                int alarms = new ScreenDetection { Level = level, FalseAlarmRate = 1e-3 }
+                    .Detect(bench.Geometry, bench.Levels()).Count;
+                Assert.That(alarms / (1024.0 * 1024), Is.EqualTo(1e-3).Within(35).Percent);
+            }
+        }
+
         // 10 m2 at 3,000 m are about 38 dB over noise. It is found at its place, and nothing outside of beam and pulse.
         [Test]
         public void Point_IsFoundAtItsPlace([Values] CfarLevel level)

@@ -82,8 +82,9 @@ public sealed class ScreenCommandTests
         {
             int spoke = (int)Math.Round(detected[0] / 360 * 1024), cell = (int)(detected[1] / 10);
             Assert.That(detected[2], Is.EqualTo(power[spoke * 100 + cell] - noise).Within(0.0051));
-            // Cells are 10 m, and a pulse of 80 ns covers two of them: two are guarded on each side.
-            double[] around = Enumerable.Range(0, 100).Where(at => Math.Abs(at - cell) is > 2 and <= 18)
+            // Cells are 10 m, and a pulse of 80 ns covers two of them: two are guarded on each side, and of the cells behind
+            // every other one is a reference.
+            double[] around = Enumerable.Range(0, 100).Where(at => Math.Abs(at - cell) is > 2 and <= 34 && Math.Abs(at - cell) % 2 == 1)
                 .Select(at => Math.Pow(10, (power[spoke * 100 + at] - noise) / 10)).ToArray();
             double factor = around.Length * (Math.Pow(1e-4, -1.0 / around.Length) - 1);
             Assert.That(detected[3], Is.EqualTo(detected[2] - 10 * Math.Log10(factor * around.Average())).Within(0.0101));
