@@ -110,7 +110,8 @@ namespace Glint.Core
             bool isCurved = pose.Scene.Seas.Count > 0 && !view.IsParallel;
             return new CrossSectionPose
             {
-                Scene = isCurved ? CurvedEarth.Below(view.Position, pose.Scene) : pose.Scene, Radar = radar, Receivers = new[] { radar },
+                Scene = isCurved ? CurvedEarth.Below(view.Position, pose.Scene) : pose.Scene,
+                Radar = radar, Receivers = new[] { radar },
                 PhaseCentre = view.Position + range * view.Forward,
                 Range = view.IsParallel ? double.PositiveInfinity : range,
                 Footprint = new RadarFootprint(view, pose.Settings), Frequencies = new[] { pose.Settings.FrequencyHz },

@@ -116,7 +116,6 @@ namespace Glint.Core
                     + $"{pulse:0} m long and the range scale is {RadarSettings.Text(RangeScale)} m: use a shorter pulse "
                     + "or a larger scale");
         }
-
     }
 
     /// <summary>What a radar with a screen sends and receives.</summary>

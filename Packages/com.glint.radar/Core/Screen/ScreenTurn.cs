@@ -91,7 +91,8 @@ namespace Glint.Core
         /// <summary>Writes video.npz.</summary>
         public void Write(Stream output)
         {
-            int[] one = { 1 }, spokes = { Bearings.Count }, cells = { Ranges.Count }, both = { Bearings.Count, Ranges.Count };
+            int[] one = { 1 }, spokes = { Bearings.Count }, cells = { Ranges.Count },
+                both = { Bearings.Count, Ranges.Count };
             using (var arrays = new NumpyArchive(output))
             {
                 arrays.Add(Bearing, spokes, Bearings);

@@ -158,7 +158,6 @@ namespace Glint.Core
             Check(subject, "height factor", HeightFactor, s_factors, "", "1 leaves the height as asked for");
         }
 
-
         static void Check(string subject, string name, double value, Interval range, string unit, string wayOut)
         {
             if (!range.Contains(value))
