@@ -84,15 +84,18 @@ bool IsInFootprint(float3 position)
         && abs(dot(from, _FootprintUp.xyz)) <= reach * _FootprintUp.w;
 }
 
+// No shadow ray is followed from a facet that looks away.
 bool IsLit(float3 position, float3 normal, Receiver radar)
 {
+    if (dot(normal, radar.Direction) <= 0.0)
+        return false;
     Ray ray = (Ray)0;
     ray.Origin = position + _SeaWind.w * normal;
     ray.Start = ray.Origin;
     ray.Direction = radar.Direction;
     ray.ExcludedTriangle = NO_INSTANCE;
     bool isAmbiguous;
-    return dot(normal, radar.Direction) > 0.0 && !AnyHit(ray, radar.Distance, isAmbiguous);
+    return !AnyHit(ray, radar.Distance, isAmbiguous);
 }
 
 uint WordOf(uint sum, uint copy)

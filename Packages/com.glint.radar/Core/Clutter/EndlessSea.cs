@@ -66,7 +66,7 @@ namespace Glint.Core
             double3 across = radar.Right, along = -radar.ToRadar;
             double2 step = size.yx, half = _size / 2 * new double2(Reach(across), Reach(along)),
                 before = math.ceil(math.length(_box.Value.Overhang) / step),
-                count = before + math.ceil(2 * half / step - Rounding) + math.ceil(math.length(_box.Value.Overhang) / step);
+                count = 2 * before + math.ceil(2 * half / step - Rounding);
             if (!(count.x * count.y <= maxCells))
                 throw new GlintException(FormattableString.Invariant(
                     $"sea clutter: a tile of {_size:g6} m has {count.x * count.y:g6} cells of {size.x:g6} x {size.y:g6} m, at most {maxCells} are possible: give larger cells"));

@@ -187,7 +187,7 @@ namespace Glint.Core
                 Math.Cos(2 * Math.PI * (turns - up)), isDrawn ? 1 : 0, 0);
             return new ScreenView
             {
-                Side = display.Side, Up = up - Math.Floor(up), Front = (int)(front & (spokes - 1)),
+                Side = display.Side, Up = up - Math.Floor(up), Front = geometry.InTurn(front),
                 FadeASpoke = receiver.FadeATurn.x / spokes, TrailMiddle = trailMiddle,
                 TrailUp = TrailMap.Radius / half
                     * new double2(Math.Sin(2 * Math.PI * up), Math.Cos(2 * Math.PI * up)),

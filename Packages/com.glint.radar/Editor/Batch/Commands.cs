@@ -276,8 +276,8 @@ namespace Glint.Editor
 
         /// <summary>Makes an HTML report of results.</summary>
         public static readonly Command Report = new Command("report", "Write one HTML file of a sweep, run, "
-            + "cross sections, range profiles, sea clutter or a radar screen that opens offline: charts, table, and the scene in 3-D "
-            + "with its received rays or hot spots.")
+            + "cross sections, range profiles, sea clutter or a radar screen that opens offline: charts, table, and the "
+            + "scene in 3-D with its received rays or hot spots.")
         {
             Inputs = InputKind.Results,
             Options = new Option[] { ReportOptions.Out, ReportOptions.Pose, Options.Device },

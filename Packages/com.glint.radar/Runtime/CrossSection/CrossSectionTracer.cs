@@ -98,7 +98,7 @@ namespace Glint
             // The same for every attempt.
             TraceEdges(pose, TubeSums.OutputSize(pose), read => edges.Add(read, _owner), cancel);
             long rays = 0;
-            var forecast = new SliceForecast((long)_lists * RaysAList);
+            var forecast = NewForecast();
             for (double cellError = CellError > 0 ? CellError : FirstCellError; ;)
             {
                 var sums = new TubeSums(pose, grid);
@@ -159,8 +159,7 @@ namespace Glint
             Bind(pose, grid, units, sums.OutputSize, ListCapacity);
             _kernels.SumParts(parts, receiver, frequency, TubeSums.OutputSize(pose));
             TraceEdges(pose, sums.OutputSize, sums.Add, cancel);
-            TraceCells(result.CellError, pose, grid, new SliceForecast((long)_lists * RaysAList), sums.OutputSize, sums.Add,
-                progress, cancel);
+            TraceCells(result.CellError, pose, grid, NewForecast(), sums.OutputSize, sums.Add, progress, cancel);
             return sums.ToContributions(polarisations);
         }
 
@@ -252,6 +251,8 @@ namespace Glint
                 progress?.Report((double)first / grid.Count);
             }
         }
+
+        SliceForecast NewForecast() => new SliceForecast((long)_lists * RaysAList);
 
         int ListCapacity => _lists * ListElements;
 

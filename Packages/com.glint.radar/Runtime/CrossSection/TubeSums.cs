@@ -71,7 +71,8 @@ namespace Glint
         {
             _tubes += output[Count];
             Rays += RaysOf(output);
-            for (int i = 0; i < _sums.Length * CopiesOf(_pose); i++)
+            int count = _sums.Length * CopiesOf(_pose);
+            for (int i = 0; i < count; i++)
             {
                 int first = TubeKernels.FirstSum + i / SumCount * TubeKernels.SumWords;
                 if (output[first + TooLarge] != 0)

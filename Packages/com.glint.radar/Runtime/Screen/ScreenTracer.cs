@@ -12,8 +12,8 @@ namespace Glint
     /// </summary>
     /// <remarks>
     /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddSea"/>, <see cref="AddTargets"/>,
-    /// <see cref="AddPoints"/>, <see cref="AddRain"/>, any kernel that adds to <see cref="Echo"/> in the spokes of the slice), then
-    /// <see cref="Finish"/> and <see cref="Draw"/>.
+    /// <see cref="AddPoints"/>, <see cref="AddRain"/>, any kernel that adds to <see cref="Echo"/> in the spokes of the
+    /// slice), then <see cref="Finish"/> and <see cref="Draw"/>.
     /// </remarks>
     sealed class ScreenTracer : IDisposable
     {
