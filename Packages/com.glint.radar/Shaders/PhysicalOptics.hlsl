@@ -97,6 +97,12 @@ uint SlotOf(TubePath tube, uint receiver)
     return tube.HasMetTarget ? receiver : _ReceiverCount + receiver;
 }
 
+// Derivatives of the phase by u and v, m a base cell.
+float2 PhaseSlope(TubePath tube, Receiver receiver)
+{
+    return float2(dot(receiver.Direction, tube.PlaceU), dot(receiver.Direction, tube.PlaceV)) - tube.LengthSlope;
+}
+
 // The currents at a hit, towards a receiver: a tube without its polygon.
 Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
 {
@@ -107,8 +113,7 @@ Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
     float scale = receiver.Strength * FadeOf(at) * sqrt(abs(tube.StartSection) * section) / cosine;
     Tube currents = (Tube)0;
     currents.Phase = receiver.Phase - tube.Path.RelativeLength;
-    float3 slope = receiver.Direction - d;
-    currents.Gradient = float2(dot(slope, tube.PlaceU), dot(slope, tube.PlaceV));
+    currents.Gradient = PhaseSlope(tube, receiver);
     currents.Tag = SlotOf(tube, index) | tube.Path.Bounces << 8;
     currents.CoPolar = scale * float4(
         Radiated(receiver.V, tube.FieldV, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection),

@@ -85,8 +85,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.Strength = StrengthAt(tube, at, receivers)
             * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), position.Side));
         corner.Position = PlaceOf(tube);
-        corner.AlongU = DifferentialOf(tube, tube.PlaceU);
-        corner.AlongV = DifferentialOf(tube, tube.PlaceV);
+        corner.AlongU = DifferentialOf(tube, tube.PlaceU, tube.LengthSlope.x);
+        corner.AlongV = DifferentialOf(tube, tube.PlaceV, tube.LengthSlope.y);
         _Corners[index * _MaxBounces + bounces++] = corner;
         if (!ScatterTube(tube, at))
             break;

@@ -10,11 +10,12 @@
 struct TubePath
 {
     Path Path;
-    float3 PlaceU, PlaceV;          // m a base cell, in the tangent plane of the last hit
+    float3 PlaceU, PlaceV;          // m a base cell, in the plane of the facet of the last hit
+    float2 LengthSlope;             // of the path up to it by u, v, m a base cell
     float3 DirectionU, DirectionV;  // a base cell
     float3 V, H;                    // the polarisations sent, mirrored with the ray
     float4 FieldV, FieldH;          // complex parts along V and H of the field for V sent, for H sent; without spread
-    float StartSection;             // where the field is 1, m2 a base cell
+    float StartSection;             // where the field would be 1, m2 a base cell
     uint Signature;                 // of the patches met, and who sees them
     bool HasMetTarget;              // anything but a sea with a diffuse echo
     float3 Rate;                    // by the motion of what it was reflected by: see RateOf
@@ -158,6 +159,12 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
     return at;
 }
 
+// Of the incidence angle on the facet itself.
+float FacetCosine(SurfacePoint at, float3 direction)
+{
+    return max(-dot(direction, at.FacetNormal), MIN_COSINE);
+}
+
 // Traces a tube to its next hit; false if there is none.
 bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
 {
@@ -183,8 +190,10 @@ bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
     float3 placeU = tube.PlaceU + hit.Distance * tube.DirectionU, placeV = tube.PlaceV + hit.Distance * tube.DirectionV;
     at = PointOf(tube, hit, hit.Normal, placeU, placeV);
     float cosine = -dot(d, at.Normal);
-    tube.PlaceU = placeU + d * (dot(placeU, at.Normal) / cosine);
-    tube.PlaceV = placeV + d * (dot(placeV, at.Normal) / cosine);
+    float2 way = float2(dot(placeU, at.FacetNormal), dot(placeV, at.FacetNormal)) / FacetCosine(at, d);
+    tube.PlaceU = placeU + way.x * d;
+    tube.PlaceV = placeV + way.y * d;
+    tube.LengthSlope += way;
     float section = abs(Section(tube.PlaceU, tube.PlaceV, d));
     float squareU = dot(tube.PlaceU, tube.PlaceU), squareV = dot(tube.PlaceV, tube.PlaceV);
     float maxSection = MAX_SPREAD * abs(tube.StartSection);
@@ -248,8 +257,11 @@ bool ScatterTube(inout TubePath tube, SurfacePoint at)
     float3 d = tube.Path.Ray.Direction, n = at.Normal;
     float along = dot(d, n);
     float3 next = Mirrored(d, n);
-    if (at.IsLost || dot(next, at.FacetNormal) <= 0.0)
+    float leaving = dot(next, at.FacetNormal);
+    if (at.IsLost || leaving <= 0.0)
         return false;
+    // The section of the rays jumps, since they are reflected by another normal than that of their facet; the power does not.
+    tube.StartSection *= leaving / FacetCosine(at, d);
     float3 s = AcrossIncidence(d, n, tube.V);
     float4 reflection = ReflectionOf(at.Surface, -along);
     float2 components = float2(dot(s, tube.V), dot(s, tube.H));

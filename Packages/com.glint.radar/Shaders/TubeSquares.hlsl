@@ -45,13 +45,12 @@ float4 PlaceOf(TubePath tube)
     return float4(place, tube.Path.RelativeLength);
 }
 
-// The differential of PlaceOf by u or v.
-float4 DifferentialOf(TubePath tube, float3 step)
+// The differential of PlaceOf by u or v: of the place, and of the length.
+float4 DifferentialOf(TubePath tube, float3 step, float lengthSlope)
 {
-    float3 d = tube.Path.Ray.Direction;
     if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, dot(d - ReceiverFrom(0, tube.Path.Ray.Origin).Direction, step));
-    return float4(step, dot(step, d));
+        return float4(0.0, 0.0, 0.0, lengthSlope - dot(ReceiverFrom(0, tube.Path.Ray.Origin).Direction, step));
+    return float4(step, lengthSlope);
 }
 
 // The phase of PlaceOf, or of a difference of such, m.
@@ -81,10 +80,10 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
             if ((receivers >> index & 1) == 0)
                 continue;
             Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
-            float3 bends = BendsOf(bounce, receiver), slope = receiver.Direction - tube.Path.Ray.Direction;
+            float3 bends = BendsOf(bounce, receiver);
             float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
             float2 x = _WaveNumber * halves;
-            float2 atCentre = 0.5 * _WaveNumber * side * float2(dot(slope, tube.PlaceU), dot(slope, tube.PlaceV));
+            float2 atCentre = 0.5 * _WaveNumber * side * PhaseSlope(tube, receiver);
             float size = SizeOf(_WaveNumber * bends, x);
             float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change);
             float2 falls = 1.0 / max(abs(x), 1.0);
