@@ -30,8 +30,6 @@ static const uint RADAR = MAX_RECEIVERS;    // index of the radar behind the rec
 static const uint EDGE_CORNERS = 0xff;      // corners in Tube.Tag: a piece of an edge, Gradient.x a metre along it
 static const uint REFLECTION_STEPS = 1024; // of a table over the cosine of the incidence angle
 static const uint FLAT = 0xffffffff;       // a facet without a field of normals
-// Rays that one thread traces: a software device ends a thread's loops after 65,535 iterations in all.
-static const uint RAYS_A_THREAD = 4;
 static const uint BLOCK_CELLS = 4;         // into which a cell is divided
 static const uint BLOCK_CORNERS = 9;
 static const uint TUBES_A_GROUP = 256;      // of the kernel that sums
@@ -104,7 +102,7 @@ uint4 _Grid;                               // base cells across; first and numbe
 uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
 uint _MaxLevel;                            // cells at it are not divided
 uint _MaxBisections;                       // of the sides of a base cell towards a border
-uint _BisectStep;                          // bisections of earlier dispatches
+uint2 _BisectSteps;                        // bisections of earlier dispatches, and with those of this one
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
 float _UnitsPerSquareMetre;                // of sums of squared errors

@@ -8,7 +8,7 @@
 #include "TubeGrid.hlsl"
 #endif
 
-// Finds where borders cross the sides of their cells. One thread a side, RAYS_A_THREAD bisections a dispatch.
+// Finds where borders cross the sides of their cells. One thread a side.
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
@@ -21,7 +21,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint crossing = which == 0 ? cell.Crossings.x : cell.Crossings.y, end = BisectionsOf(cell), rays = 0;
     float side = SideOfCell(cell);
     [loop]
-    for (uint step = _BisectStep; step < min(end, _BisectStep + RAYS_A_THREAD); step++)
+    for (uint step = _BisectSteps.x; step < min(end, _BisectSteps.y); step++)
     {
         if (!border.IsCut || (crossing & NO_CROSSING) != 0)
             break;

@@ -84,7 +84,7 @@ namespace Glint.Tests
                     ["SUM_TUBE_OVERFLOW"] = TubeSums.TooLarge,
                     ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers, ["RADAR"] = TubeKernels.MaxReceivers,
                     ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
-                    ["RAYS_A_THREAD"] = TubeRounds.RaysAThread, ["COVER_SIDE"] = TubeKernels.CoverSide,
+                    ["COVER_SIDE"] = TubeKernels.CoverSide,
                     ["PART_WORDS"] = TubeKernels.PartWords, ["TUBE_REVEALED"] = AmplitudeTracer.RevealedCount,
                     ["TUBE_HITS"] = AmplitudeTracer.Hits, ["TUBE_BOUNCES"] = AmplitudeTracer.Bounces,
                     ["TUBE_RECEIVED"] = AmplitudeTracer.Received, ["TUBE_LENGTHS"] = AmplitudeTracer.Lengths,

@@ -19,14 +19,15 @@ namespace Glint
 
         // Elements of the lists, and of the corners of a dispatch times their bounces, for each of 8 GB of memory up to
         // MaxLists: long lists fill a device with large memory.
-        const int ListElements = 1 << 20, CornerElements = 1 << 21, MaxLists = 8, MebibytesAList = 8192;
+        const int ListElements = 1 << 20, CornerElements = 1 << 21, MaxLists = 16, MebibytesAList = 8192;
 
         // Rays of a slice for each of these elements, which leave the lists half empty.
         const int RaysAList = 3 << 18;
 
-        // Error that a cell may have, as a fraction of what a conducting plate of a base cell returns: at first, and at
-        // least.
-        const double FirstCellError = 1.0 / 64, MinCellError = 1.0 / (1 << 17);
+        // Error that a cell may have, as a fraction of what a conducting plate of a square wavelength returns: at first a
+        // part of the tolerance, within limits; and at least.
+        const double PartOfTolerance = 0.25, MinFirstCellError = 1.0 / 64, MaxFirstCellError = 1.0 / 8,
+            MinCellError = 1.0 / (1 << 17);
 
         readonly string _owner;
         readonly TubeKernels _kernels;
@@ -99,7 +100,8 @@ namespace Glint
             TraceEdges(pose, TubeSums.OutputSize(pose), read => edges.Add(read, _owner), cancel);
             long rays = 0;
             var forecast = NewForecast();
-            for (double cellError = CellError > 0 ? CellError : FirstCellError; ;)
+            double atLeast = InBaseCells(pose, grid, MinCellError);
+            for (double cellError = CellError > 0 ? CellError : FirstCellErrorOf(pose, grid); ;)
             {
                 var sums = new TubeSums(pose, grid);
                 TraceCells(cellError, pose, grid, forecast, TubeSums.OutputSize(pose), read => sums.Add(read, _owner),
@@ -113,10 +115,21 @@ namespace Glint
                 result.WedgesLeftOut = pose.HasEdges ? _edges.LeftOutCount : 0;
                 double excess = Excess(result, pose.ToleranceDb, floor);
                 result.IsMet = excess <= 1;
-                if (result.IsMet || CellError > 0 || cellError <= MinCellError)
+                if (result.IsMet || CellError > 0 || cellError <= atLeast)
                     return result;
-                cellError = Math.Max(MinCellError, cellError / math.clamp(2 * excess, 2, 64));
+                // Errors fall with the power 0.6 of that of a cell.
+                cellError = Math.Max(atLeast, cellError / math.clamp(1.5 * Math.Pow(excess, 1.6), 2, 64));
             }
+        }
+
+        static double FirstCellErrorOf(CrossSectionPose pose, TubeGrid grid) => InBaseCells(pose, grid, math.clamp(
+            PartOfTolerance * CrossSectionAccuracy.AllowedBy(pose.ToleranceDb), MinFirstCellError, MaxFirstCellError));
+
+        // An error of a plate of a square wavelength as that of a base cell's, if that is larger.
+        static double InBaseCells(CrossSectionPose pose, TubeGrid grid, double error)
+        {
+            double wavelengths = Math.Max(1, grid.Side / Signal.Wavelength(pose.Frequencies.Last()));
+            return error / (wavelengths * wavelengths);
         }
 
         // The diffuse echo of the seas: none if the radar does not receive.

@@ -63,6 +63,6 @@ namespace Glint
         public static readonly int _TubeParts = Shader.PropertyToID("_TubeParts");
         public static readonly int _HasParts = Shader.PropertyToID("_HasParts");
         public static readonly int _Parts = Shader.PropertyToID("_Parts");
-        public static readonly int _BisectStep = Shader.PropertyToID("_BisectStep");
+        public static readonly int _BisectSteps = Shader.PropertyToID("_BisectSteps");
     }
 }

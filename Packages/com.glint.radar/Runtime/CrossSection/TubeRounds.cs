@@ -14,8 +14,8 @@ namespace Glint
         /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
         public const int ArgumentWords = 15;
 
-        /// <summary>Rays that a thread traces at most: RAYS_A_THREAD.</summary>
-        public const int RaysAThread = 4;
+        // Rays that a thread traces at most: a software device ends a thread's loops after 65,535 iterations in all.
+        readonly int _raysAThread = SoftwareDevice.IsInUse ? 4 : 32;
 
         /// <inheritdoc cref="ArgumentWords"/>
         public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36, CornerArguments = 48;
@@ -125,9 +125,9 @@ namespace Glint
                 else
                     _shader.DispatchIndirect(_cells, _arguments, CellArguments);
                 _shader.Dispatch(_prepareBorders, 1, 1, 1);
-                for (int step = 0; step < Math.Max(2, bisections - 2 * round); step += RaysAThread)
+                for (int step = 0; step < Math.Max(2, bisections - 2 * round); step += _raysAThread)
                 {
-                    _shader.SetInt(TubeIDs._BisectStep, step);
+                    _shader.SetInts(TubeIDs._BisectSteps, step, step + _raysAThread);
                     _shader.DispatchIndirect(_bisect, _arguments, BisectArguments);
                 }
                 _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
