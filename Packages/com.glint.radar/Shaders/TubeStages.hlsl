@@ -87,10 +87,7 @@ void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     {
         uint2 block = (uint2)first + uint2(i % size.x, i / size.x);
         uint bit = block.x + block.y * _Blocks.x;
-        uint word = cover + (bit >> 5), mask = 1u << (bit & 31);
-        // Most blocks are marked already, and additions to one word wait for each other.
-        if ((_WrittenMarks[word] & mask) == 0)
-            InterlockedOr(_WrittenMarks[word], mask);
+        InterlockedOr(_WrittenMarks[cover + (bit >> 5)], 1u << (bit & 31));
     }
 }
 
