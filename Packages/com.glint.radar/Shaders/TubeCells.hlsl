@@ -1,8 +1,8 @@
 #ifndef GLINT_TUBE_CELLS
 #define GLINT_TUBE_CELLS
 
-#include "TubeBlocks.hlsl"
 #include "Sums.hlsl"
+#include "TubeOutlines.hlsl"
 
 // Sums the cells whose corners see the same, as one tube each, and lists the others as borders. One thread a cell, which
 // follows the ray through its centre.
@@ -47,6 +47,27 @@ uint CommonBounces(uint4 corners, uint4 bounces)
     return common;
 }
 
+// What the ray through a corner has met first.
+uint FirstMet(uint corner, uint bounces)
+{
+    uint signature = NO_SIGNATURE;
+    if (bounces > 0)
+        signature = _Corners[corner].Signature;
+    return signature;
+}
+
+// Largest strength of what is seen in a cell between its corners, if these have met the same first.
+float StrengthBetween(Cell cell, uint4 corners, uint4 bounces)
+{
+    uint signature = FirstMet(corners.x, bounces.x);
+    bool areSame = cell.FirstBounce == 0 && cell.Level < _MaxLevel;
+    for (uint i = 1; i < 4; i++)
+        areSame = areSame && FirstMet(corners[i], bounces[i]) == signature;
+    if (!areSame)
+        return 0.0;
+    return StrengthOfThinParts(cell, signature);
+}
+
 // Largest strength of the corners at bounces that are not summed yet (Corner.Strength).
 float2 StrengthLeft(uint4 corners, uint4 bounces, uint done)
 {
@@ -84,6 +105,14 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if (bounces[i] > 0)
             cell.Signatures[i] = _Corners[corners[i] + bounces[i] - 1].Signature;
         areSame = areSame && cell.Signatures[i] == cell.Signatures[0];
+    }
+    float between = StrengthBetween(cell, corners, bounces);
+    if (between > 0.0)
+    {
+        cell.Strength = max(between, StrengthLeft(corners, bounces, 0).x);
+        cell.Bent = MISS;
+        AddBorder(cell);
+        return;
     }
     uint common = CommonBounces(corners, bounces), done = cell.FirstBounce;
     float2 left = 0.0;
