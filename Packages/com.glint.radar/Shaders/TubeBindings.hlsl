@@ -122,7 +122,8 @@ StructuredBuffer<uint> _Marks;             // per base cell 1 + first element of
                                            // outlines; then the words of the cover
 StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or number of a side; 1 + next element, or 0
 
-// Sides of triangles on the outlines of patches: ends and third corner of the triangle, relative to the scene's centre, m.
+// Sides of triangles on the outlines of patches: ends and third corner of the triangle, relative to the scene's centre, m; w
+// of the first one: bits of the patch.
 // Each base cell has a list of those that run through it, behind the links of the corners.
 static const uint SIDE_ROWS = 3;
 static const uint MAX_SIDES = 64;          // of a list that is read

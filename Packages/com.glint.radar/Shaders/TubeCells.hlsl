@@ -47,27 +47,6 @@ uint CommonBounces(uint4 corners, uint4 bounces)
     return common;
 }
 
-// What the ray through a corner has met first.
-uint FirstMet(uint corner, uint bounces)
-{
-    uint signature = NO_SIGNATURE;
-    if (bounces > 0)
-        signature = _Corners[corner].Signature;
-    return signature;
-}
-
-// Largest strength of what is seen in a cell between its corners, if these have met the same first.
-float StrengthBetween(Cell cell, uint4 corners, uint4 bounces)
-{
-    uint signature = FirstMet(corners.x, bounces.x);
-    bool areSame = cell.FirstBounce == 0 && cell.Level < _MaxLevel;
-    for (uint i = 1; i < 4; i++)
-        areSame = areSame && FirstMet(corners[i], bounces[i]) == signature;
-    if (!areSame)
-        return 0.0;
-    return StrengthOfThinParts(cell, signature);
-}
-
 // Largest strength of the corners at bounces that are not summed yet (Corner.Strength).
 float2 StrengthLeft(uint4 corners, uint4 bounces, uint done)
 {
@@ -94,7 +73,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         AddBorder(cell);
         return;
     }
-    uint4 corners = 0, bounces = 0;
+    uint4 corners = 0, bounces = 0, met = NO_SIGNATURE;
     bool areSame = true;
     [unroll]
     for (uint i = 0; i < 4; i++)
@@ -103,10 +82,15 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         bounces[i] = _Corners[corners[i]].Bounces;
         cell.Signatures[i] = NO_SIGNATURE;
         if (bounces[i] > 0)
+        {
+            met[i] = _Corners[corners[i]].Signature;
             cell.Signatures[i] = _Corners[corners[i] + bounces[i] - 1].Signature;
+        }
         areSame = areSame && cell.Signatures[i] == cell.Signatures[0];
     }
-    float between = StrengthBetween(cell, corners, bounces);
+    float between = 0.0;
+    if (cell.FirstBounce == 0 && cell.Level < _MaxLevel)
+        between = StrengthOfThinParts(cell, met);
     if (between > 0.0)
     {
         cell.Strength = max(between, StrengthLeft(corners, bounces, 0).x);

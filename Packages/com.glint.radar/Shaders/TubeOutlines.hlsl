@@ -22,10 +22,17 @@ float MiddleWithin(Cell cell, float2 start, float2 end)
 // the grid, which are rounded.
 static const float BESIDE = 1.0 / 256.0, ROUNDED_BESIDE = 1.0e-6;
 
-// Strength of what a ray beside an outline meets first, if that is not what the rays through the corners of the cell meet;
-// 0 if it is.
-float StrengthBeside(Cell cell, uint signature, uint number)
+// Strength of what a ray beside an outline meets first, if that is not what a ray through a corner of the cell meets; 0 if it
+// is. met: what those rays have met first.
+float StrengthBeside(Cell cell, uint4 met, uint number)
 {
+    // Of what all receivers see no ray is needed.
+    TubePath path = (TubePath)0;
+    path.Signature = NO_SIGNATURE;
+    Sign(path, asuint(_Sides[SIDE_ROWS * number].w));
+    Sign(path, (1u << _ReceiverCount) - 1);
+    if (any(met == path.Signature))
+        return 0.0;
     float2 a = PlaceOnGrid(_Sides[SIDE_ROWS * number].xyz), b = PlaceOnGrid(_Sides[SIDE_ROWS * number + 1].xyz),
         inside = PlaceOnGrid(_Sides[SIDE_ROWS * number + 2].xyz);
     float middle = MiddleWithin(cell, a, b), size = length(b - a);
@@ -40,11 +47,11 @@ float StrengthBeside(Cell cell, uint signature, uint number)
         return 0.0;
     uint receivers = ReceiversOf(tube, at);
     Sign(tube, receivers);
-    return tube.Signature == signature ? 0.0 : StrengthAt(tube, at, receivers);
+    return any(met == tube.Signature) ? 0.0 : StrengthAt(tube, at, receivers);
 }
 
-// Largest strength of what outlines through a cell show that the rays through its corners have not met.
-float StrengthOfThinParts(Cell cell, uint signature)
+// Largest strength of what outlines through a cell show that the rays through its corners have not met first.
+float StrengthOfThinParts(Cell cell, uint4 met)
 {
     uint2 base = cell.Position >> cell.Level;
     uint link = _Marks[BaseCellCount() + base.x + base.y * _Grid.x];
@@ -53,7 +60,7 @@ float StrengthOfThinParts(Cell cell, uint signature)
     for (uint read = 0; read < MAX_SIDES && link != 0; read++)
     {
         uint4 side = _Links[link - 1];
-        strength = max(strength, StrengthBeside(cell, signature, side.x));
+        strength = max(strength, StrengthBeside(cell, met, side.x));
         link = side.z;
     }
     return strength;
