@@ -116,19 +116,42 @@ uint _VertexCount;
 uint _MarkWords;
 float4 _GridX, _GridY, _GridDepth;         // base cell of a place: (X.place) / (Depth.place), w constant
 StructuredBuffer<float4> _Vertices;
-StructuredBuffer<uint> _Marks;             // per base cell 1 + first element of _Links, or 0; then those of the cover
-StructuredBuffer<uint4> _Links;            // place of a corner, base cells; 1 + next element, or 0
+StructuredBuffer<uint> _Marks;             // per base cell 1 + first element of _Links, or 0: of corners, then of
+                                           // outlines; then the words of the cover
+StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or number of a side; 1 + next element, or 0
 
-// Cover: a bit for each block of base cells in which triangles may be seen, then a word that is not 0 if all may be.
+// Sides of triangles on the outlines of patches: ends and third corner of the triangle, relative to the scene's centre, m; w
+// of the first one: bits of the patch.
+// Each base cell has a list of those that run through it, behind the links of the corners.
+static const uint SIDE_ROWS = 3;
+static const uint MAX_SIDES = 64;          // of a list that is read
+uint _SideCount;
+uint _LinkCapacity;
+StructuredBuffer<float4> _Sides;
+
+// Cover: a bit for each block of base cells in which triangles may be seen, then a word that is not 0 if all may be. The
+// last word of all counts the links of outlines.
 static const uint COVER_SIDE = 8;           // of a block, in base cells
 static const uint MAX_COVERED = 4096;       // blocks that one thread marks
 uint _SphereCount;
 StructuredBuffer<float4> _Spheres;         // about the triangles, relative to the scene's centre, m; w: radius
 uint2 _Blocks;                             // across and up
 
-uint FirstCoverWord()                      // behind a list a base cell
+uint FirstCoverWord()                      // behind two lists a base cell
 {
-    return _MarkWords - (_Blocks.x * _Blocks.y + 31) / 32 - 1;
+    return _MarkWords - (_Blocks.x * _Blocks.y + 31) / 32 - 2;
+}
+
+uint BaseCellCount()
+{
+    return FirstCoverWord() / 2;
+}
+
+// Of a place relative to the scene's centre, base cells.
+float2 PlaceOnGrid(float3 place)
+{
+    return float2(dot(place, _GridX.xyz) + _GridX.w, dot(place, _GridY.xyz) + _GridY.w)
+        / (dot(place, _GridDepth.xyz) + _GridDepth.w);
 }
 
 RWStructuredBuffer<Tube> _Tubes;

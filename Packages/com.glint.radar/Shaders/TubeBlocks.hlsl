@@ -19,7 +19,7 @@ uint2 SliceStart()
 
 uint2 CellsOfGrid()
 {
-    return uint2(_Grid.x, FirstCoverWord() / _Grid.x);
+    return uint2(_Grid.x, BaseCellCount() / _Grid.x);
 }
 
 uint CellCount()
@@ -77,7 +77,7 @@ bool HasVertex(Cell cell)
 bool IsCovered(uint2 cell)
 {
     uint bit = cell.x / COVER_SIDE + cell.y / COVER_SIDE * _Blocks.x;
-    return _Marks[_MarkWords - 1] != 0 || (_Marks[FirstCoverWord() + (bit >> 5)] >> (bit & 31) & 1) != 0;
+    return _Marks[_MarkWords - 2] != 0 || (_Marks[FirstCoverWord() + (bit >> 5)] >> (bit & 31) & 1) != 0;
 }
 
 // Whether no triangle can be seen in the cell.

@@ -21,6 +21,34 @@ void Divide(Cell cell)
         }
 }
 
+// The search for the border across the middle of its chord.
+struct BorderSearch
+{
+    float Side;            // on which the border lies: 1: that of SignatureBefore; -1: the other one
+    float Place;           // of the border, in widths of the intervals of its ends
+};
+
+// Rays of a search: in the middle, a width beside it, and halfway.
+static const uint MIDDLE_RAYS = 3;
+
+// Where the next ray looks, widths from the chord.
+float NextPlace(BorderSearch search, uint ray)
+{
+    return ray == 0 ? 0.0 : ray == 1 ? search.Side : 0.5 * search.Side;
+}
+
+// Takes what the ray has met; false if the border is not within a width of the chord.
+bool Search(inout BorderSearch search, uint ray, Border border, uint signature)
+{
+    bool isBefore = signature == border.SignatureBefore;
+    if (ray == 0)
+        search.Side = isBefore ? -1.0 : 1.0;
+    // The ray in the middle is on the near side of the border.
+    bool isBeyond = isBefore == (search.Side > 0.0);
+    search.Place = (isBeyond ? 0.25 : 0.75) * search.Side;
+    return (isBefore || signature == border.SignatureAfter) && (ray != 1 || isBeyond);
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -43,28 +71,26 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         second = PlaceOnSide(border, 1, (cell.Crossings.y + 0.5) * fraction, side), chord = second - first;
     float2 directions[2] = { CornerOf((border.Sides.x + 1) & 3) - CornerOf(border.Sides.x),
         CornerOf((border.Sides.y + 1) & 3) - CornerOf(border.Sides.y) };
-    float size = length(chord);
-    float2 checkOffset = size > 0.0 ? width * float2(-chord.y, chord.x) / size : 0.0;
-    Piece around = (Piece)0, between = (Piece)0;
-    if (isCut)
-    {
-        between = PieceBetween(first, border.Sides.x, second, border.Sides.y, side);
-        around = PieceBetween(second, border.Sides.y, first, border.Sides.x, side);
-    }
-    uint checks = isCut ? 2 : 0, end = isCut ? 4 : 1;
+    // Unit vector across the chord, to the side of SignatureBefore.
+    float2 across = float2(-chord.y, chord.x) / max(length(chord), 1.0e-20);
+    BorderSearch search = (BorderSearch)0;
+    uint checks = isCut ? MIDDLE_RAYS : 0, end = isCut ? MIDDLE_RAYS + 2 : 1;
     uint rays = 0;
     [loop]
     for (uint ray = 0; ray < end; ray++)
     {
         if (ray == checks && !isStraight && canDivide)
             break;
-        // Beside the middle of the chord, to whose right the piece between lies; then in the two pieces.
-        Piece piece = around;
-        if (ray > checks)
-            piece = between;
+        // Across the middle of the chord, to whose right the piece between lies; then in the two pieces.
+        float2 bend = isStraight ? BEND_AREA * width * search.Place * across : 0.0;
+        Piece piece = (Piece)0;
+        if (isCut && ray > checks)
+            piece = PieceBetween(first + bend, border.Sides.x, second + bend, border.Sides.y, side);
+        else if (isCut)
+            piece = PieceBetween(second + bend, border.Sides.y, first + bend, border.Sides.x, side);
         float2 place = MiddleOf(piece);
         if (ray < checks)
-            place = first + 0.5 * chord + (ray == 0 ? checkOffset : -checkOffset);
+            place = first + 0.5 * chord + width * NextPlace(search, ray) * across;
         TubePath tube = BeginTube(CentreOfCell(cell) + place);
         SurfacePoint at;
         rays++;
@@ -89,7 +115,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         currents.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
                     }
                     float area = isCut && isStraight
-                        ? AreaError(chord, directions, width, currents.Gradient)
+                        ? BentAreaError(chord, directions, width, currents.Gradient)
                         : CRUDE_ERROR * AreaOf(piece, side) * Thinning(currents.Gradient, side);
                     currents.Error = area * MagnitudeOf(currents);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
@@ -99,7 +125,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 break;
         }
         if (ray < checks)
-            isStraight = isStraight && tube.Signature == (ray == 0 ? border.SignatureBefore : border.SignatureAfter);
+            isStraight = isStraight && Search(search, ray, border, tube.Signature);
     }
     if (!isStraight && canDivide)
         Divide(cell);

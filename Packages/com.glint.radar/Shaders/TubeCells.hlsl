@@ -1,8 +1,8 @@
 #ifndef GLINT_TUBE_CELLS
 #define GLINT_TUBE_CELLS
 
-#include "TubeBlocks.hlsl"
 #include "Sums.hlsl"
+#include "TubeOutlines.hlsl"
 
 // Sums the cells whose corners see the same, as one tube each, and lists the others as borders. One thread a cell, which
 // follows the ray through its centre.
@@ -73,7 +73,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         AddBorder(cell);
         return;
     }
-    uint4 corners = 0, bounces = 0;
+    uint4 corners = 0, bounces = 0, met = NO_SIGNATURE;
     bool areSame = true;
     [unroll]
     for (uint i = 0; i < 4; i++)
@@ -82,8 +82,21 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         bounces[i] = _Corners[corners[i]].Bounces;
         cell.Signatures[i] = NO_SIGNATURE;
         if (bounces[i] > 0)
+        {
+            met[i] = _Corners[corners[i]].Signature;
             cell.Signatures[i] = _Corners[corners[i] + bounces[i] - 1].Signature;
+        }
         areSame = areSame && cell.Signatures[i] == cell.Signatures[0];
+    }
+    float between = 0.0;
+    if (cell.FirstBounce == 0 && cell.Level < _MaxLevel)
+        between = StrengthOfThinParts(cell, met);
+    if (between > 0.0)
+    {
+        cell.Strength = max(between, StrengthLeft(corners, bounces, 0).x);
+        cell.Bent = MISS;
+        AddBorder(cell);
+        return;
     }
     uint common = CommonBounces(corners, bounces), done = cell.FirstBounce;
     float2 left = 0.0;

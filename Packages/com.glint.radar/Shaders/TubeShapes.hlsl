@@ -86,11 +86,18 @@ Border BorderOf(Cell cell)
     return border;
 }
 
+// What BisectionsOf halves, as a fraction of a cell's area: of a cross section a ray across the middle halves it once.
+#ifdef GLINT_AMPLITUDE
+static const float FIRST_ERROR = 1.6;
+#else
+static const float FIRST_ERROR = 0.8;
+#endif
+
 // Bisections of the sides of a cell, each of which halves the error of its border (AreaError). A border is found to an
 // eighth of a cell's error: two rays more, where a division takes twenty.
 uint BisectionsOf(Cell cell)
 {
-    float side = SideOfCell(cell), halvings = ceil(log2(1.6 * side * side * cell.Strength / _CellError));
+    float side = SideOfCell(cell), halvings = ceil(log2(FIRST_ERROR * side * side * cell.Strength / _CellError));
     return (uint)clamp(halvings, 1.0, max(2.0, (float)_MaxBisections - 2.0 * cell.Level));
 }
 
@@ -103,6 +110,10 @@ float2 PlaceOnSide(Border border, uint which, float fraction, float side)
 }
 
 static const float BENT_BORDER = 1.4;
+
+// Area between a bent border and its chord, times their distance in the middle: that of a parabola. A chord that is moved by
+// as much has the same area on either side.
+static const float BEND_AREA = 2.0 / 3.0;
 
 // A convex piece of a cell: corners from its centre, in base cells.
 struct Piece
@@ -159,6 +170,16 @@ float AreaError(float2 chord, float2 sides[2], float width, float2 gradient)
     float hat = abs(x) < 0.01 ? 1.0 : PhasorOf(x).y / x;
     float first = Cross2(chord, sides[0]), second = Cross2(chord, sides[1]);
     return BENT_BORDER * sqrt((first * first + second * second) / 24.0) * width * hat * hat;
+}
+
+// Area by which a border may be off whose middle was found too, to an interval of half the width: a parabola through three
+// places. Those at its ends count a third of what they do on a chord.
+float BentAreaError(float2 chord, float2 sides[2], float width, float2 gradient)
+{
+    float x = 0.5 * _WaveNumber * dot(gradient, chord);
+    float hat = abs(x) < 0.01 ? 1.0 : PhasorOf(x).y / x;
+    float first = Cross2(chord, sides[0]), second = Cross2(chord, sides[1]);
+    return sqrt((first * first + second * second) / 216.0 + dot(chord, chord) / 108.0) * width * hat * hat;
 }
 
 // A phase bent by this at the corners of a square, its bends added up, cannot be expanded, rad.

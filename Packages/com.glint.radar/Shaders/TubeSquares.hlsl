@@ -25,6 +25,10 @@ float CubicError(float2 difference, float2 x)
     return 0.15 * dot(difference, min(1.0, 5.4 / max(abs(x), 1.0)));
 }
 
+// Mean over a square of a bump that is 1 at the centre and 0 at the sides, (1 - u^2)(1 - v^2), and how wrong that is where the
+// phase has kinks instead: at the sides of facets, which are flat.
+static const float BUMP_MEAN = 4.0 / 9.0, BUMP_ERROR = 0.3;
+
 // What the rays through the corners of a cell have met at a bounce, if it is the same.
 struct Bounce
 {
@@ -85,7 +89,10 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
             float2 x = _WaveNumber * halves;
             float2 atCentre = 0.5 * _WaveNumber * side * PhaseSlope(tube, receiver);
             float size = SizeOf(_WaveNumber * bends, x);
-            float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change);
+            // How far the phase at the centre is from what the corners say, m.
+            float bump = PhaseOf(PlaceOf(tube), receiver) - PhaseOf(bounce.Mean, receiver) + bends.x + bends.y;
+            float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change
+                + BUMP_ERROR * _WaveNumber * abs(bump));
             float2 falls = 1.0 / max(abs(x), 1.0);
             if (step == 0)
             {
@@ -98,7 +105,7 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
             // Where the expansion fails, on cells too small to matter, the square is taken as plane.
             if (size < MAX_BENDS)
             {
-                currents.Phase = PhaseOf(bounce.Mean, receiver);
+                currents.Phase = PhaseOf(bounce.Mean, receiver) + BUMP_MEAN * bump;
                 currents.Gradient = halves * (2.0 / side);
                 currents.Corners01.yzw = bends;
             }

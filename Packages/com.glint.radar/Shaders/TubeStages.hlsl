@@ -47,18 +47,55 @@ void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint index = IndexOf(group, thread);
     if (index >= _VertexCount)
         return;
-    float3 place = _Vertices[index].xyz;
-    float2 at = float2(dot(place, _GridX.xyz) + _GridX.w, dot(place, _GridY.xyz) + _GridY.w)
-        / (dot(place, _GridDepth.xyz) + _GridDepth.w);
+    float2 at = PlaceOnGrid(_Vertices[index].xyz);
     int2 first = (int2)floor(at - 0.5);
     for (uint i = 0; i < VERTEX_LINKS; i++)
     {
         int2 cell = first + int2(i & 1, i >> 1);
         uint word = cell.x + cell.y * _Grid.x, link = VERTEX_LINKS * index + i, next;
-        if (any(cell < 0) || (uint)cell.x >= _Grid.x || word >= FirstCoverWord())
+        if (any(cell < 0) || (uint)cell.x >= _Grid.x || word >= BaseCellCount())
             continue;
         InterlockedExchange(_WrittenMarks[word], 1 + link, next);
         _WrittenLinks[link] = uint4(asuint(at), next, 0);
+    }
+}
+
+// Lists a side in a base cell.
+void MarkSide(uint side, int2 cell)
+{
+    uint word = BaseCellCount() + cell.x + cell.y * _Grid.x, link, next;
+    if (any(cell < 0) || (uint)cell.x >= _Grid.x || word >= FirstCoverWord())
+        return;
+    InterlockedAdd(_WrittenMarks[_MarkWords - 1], 1, link);
+    link += VERTEX_LINKS * _VertexCount;
+    if (link >= _LinkCapacity)
+        return;
+    InterlockedExchange(_WrittenMarks[word], 1 + link, next);
+    _WrittenLinks[link] = uint4(side, 0, next, 0);
+}
+
+// Lists the sides on outlines of patches in the base cells that they run through. One thread a side, which goes along the
+// axis on which it is longer.
+[numthreads(GLINT_GROUP, 1, 1)]
+void MarkOutlines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint index = IndexOf(group, thread);
+    if (index >= _SideCount)
+        return;
+    float2 a = PlaceOnGrid(_Sides[SIDE_ROWS * index].xyz), b = PlaceOnGrid(_Sides[SIDE_ROWS * index + 1].xyz);
+    bool isUpright = abs(b.y - a.y) > abs(b.x - a.x);
+    float2 start = isUpright ? a.yx : a, end = isUpright ? b.yx : b;
+    float slope = (end.y - start.y) / (end.x == start.x ? 1.0 : end.x - start.x);
+    float cells = isUpright ? BaseCellCount() / _Grid.x : _Grid.x;
+    float first = max(0.0, floor(min(start.x, end.x))), last = min(cells - 1.0, floor(max(start.x, end.x)));
+    [loop]
+    for (float along = first; along <= last; along += 1.0)
+    {
+        float2 across = start.y + slope * (clamp(float2(along, along + 1.0), min(start.x, end.x), max(start.x, end.x))
+            - start.x);
+        int from = (int)floor(min(across.x, across.y)), to = (int)floor(max(across.x, across.y));
+        for (int other = from; other <= min(to, from + 1); other++)
+            MarkSide(index, isUpright ? int2(other, along) : int2(along, other));
     }
 }
 
@@ -80,7 +117,7 @@ void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     if (depth <= deep || (uint)size.x * size.y > MAX_COVERED)
     {
-        _WrittenMarks[_MarkWords - 1] = 1;
+        _WrittenMarks[_MarkWords - 2] = 1;
         return;
     }
     for (uint i = 0; i < (uint)size.x * size.y; i++)

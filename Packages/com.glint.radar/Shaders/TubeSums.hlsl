@@ -122,6 +122,7 @@ struct Radiation
 {
     float2 VV, HV, VH, HH;
     float Scale;           // units of S a unit of Tube.Error
+    float2 Phase;          // at the middle, as exp(j phase)
 };
 
 Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
@@ -161,8 +162,9 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
             tube.Corner4 };
         shape = PolygonIntegral(corners, count, w);
     }
-    float2 wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, Phasor(turns)), factor);
     Radiation radiation;
+    radiation.Phase = Phasor(turns);
+    float2 wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, radiation.Phase), factor);
     radiation.VV = ComplexMul(wave, tube.CoPolar.xy);
     radiation.HV = ComplexMul(wave, tube.CrossPolar.xy);
     radiation.VH = ComplexMul(wave, tube.CrossPolar.zw);
@@ -220,9 +222,10 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             Radiation radiation = RadiationOf(tube, i, waveNumber);
             Accumulate(sums, radiation, overflow);
             // Errors of bent phases may add up or not.
-            float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh);
-            Accumulate(sums[8], sums[9], bent, overflow);
             float error = tube.Error * radiation.Scale;
+            float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent
+                * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + _UnitsPerMetre * error * radiation.Phase);
+            Accumulate(sums[8], sums[9], bent, overflow);
             float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
             Accumulate(sums[10], min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS), overflow);
         }

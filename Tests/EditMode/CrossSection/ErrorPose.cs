@@ -14,10 +14,11 @@ namespace Glint.Tests
             "coated_box", "ship"
         };
 
-        // Of the truths: 16 times finer than kernels find borders at first, and more where that costs little. A phase
-        // that is taken as linear has a mean error of a third of this.
+        // Of the truths: 16 times finer than kernels find borders at first. Undivided tubes are as fine as the thinnest parts
+        // of plates seen at grazing incidence, because what lies between rays is not found. A phase that is taken as linear
+        // has a mean error of a third of this.
         public static TubeSettings TruthSettings =>
-            new TubeSettings { CellsPerWavelength = 2, MaxDepth = 8, MaxPhaseError = 0.005 };
+            new TubeSettings { CellsPerWavelength = 64, MaxDepth = 5, MaxPhaseError = 0.005 };
 
         // Cosine of the largest angle between radar and receiver at which physical optics holds.
         const double MinBistaticCosine = -0.5;

@@ -94,7 +94,7 @@ namespace Glint.Tests
                     ["BISECT_ARGUMENTS"] = TubeRounds.BisectArguments,
                     ["CORNER_ARGUMENTS"] = TubeRounds.CornerArguments,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
-                    ["VERTEX_LINKS"] = TubeKernels.VertexLinks
+                    ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
                 }));
             Assert.That(s_ofTheDevice, Is.SubsetOf(constants.Keys));
         }
@@ -145,7 +145,7 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_VERTICES",
+        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_VERTICES", "MAX_SIDES",
             "TUBE_POINTS" };
     }
 }

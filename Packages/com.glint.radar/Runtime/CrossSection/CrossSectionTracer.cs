@@ -219,7 +219,7 @@ namespace Glint
             _kernels.SetLists(_output, _tubes, _tubeParts, _tubeRates, _cells, _borders, _corners,
                 _waveNumbers, CellCapacity(pose));
             _marks.Reserve(TubeKernels.MarkWordsOf(grid));
-            _links.Reserve(Math.Max(1, TubeKernels.VertexLinks * _surfaces.VertexCount));
+            _links.Reserve(TubeKernels.LinksOf(grid, _surfaces));
             _kernels.Mark(grid, _surfaces, _marks, _links);
         }
 

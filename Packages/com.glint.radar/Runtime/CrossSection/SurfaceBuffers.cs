@@ -32,6 +32,14 @@ namespace Glint
 
         public int VertexCount { get; private set; }
 
+        /// <summary>Sides of triangles on the outlines of patches, with the third corner.</summary>
+        public DeviceBuffer<float4> Sides { get; } = new DeviceBuffer<float4>("outlines of patches");
+
+        public int SideCount { get; private set; }
+
+        /// <summary>Of all sides, metres.</summary>
+        public double LengthOfSides { get; private set; }
+
         public DeviceBuffer<float4> Spheres { get; } = new DeviceBuffer<float4>("spheres about triangles");
 
         public int SphereCount { get; private set; }
@@ -42,7 +50,7 @@ namespace Glint
         /// <summary>Parts of the scene.</summary>
         public SceneParts Parts { get; private set; }
 
-        public long Bytes => Vertices.Bytes + Spheres.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes
+        public long Bytes => Vertices.Bytes + Sides.Bytes + Spheres.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes
             + Motions.Bytes + Reflections.Bytes;
 
         /// <summary>Uploads what has changed.</summary>
@@ -61,6 +69,7 @@ namespace Glint
         {
             Facets.Dispose();
             Vertices.Dispose();
+            Sides.Dispose();
             Spheres.Dispose();
             NormalFields.Dispose();
             InstanceFacets.Dispose();
@@ -78,7 +87,9 @@ namespace Glint
             var first = new Dictionary<SurfacePatches, uint>();
             uint patchCount = 0;
             var vertices = new List<float4>();
+            var sides = new List<float4>();
             var spheres = new List<float4>();
+            LengthOfSides = 0;
             Parts = new SceneParts(scene);
             var seas = new HashSet<int>(scene.Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
             Patches = Array.ConvertAll(scene.Instances, instance => PatchesOf(instance, creaseDegrees));
@@ -96,9 +107,12 @@ namespace Glint
                 patchCount += (uint)patches.PatchCount;
                 foreach (float3 corner in PatchCorners.Of(patches))
                     vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));
+                AddSides(instance, patches, centre, firsts[i].y, sides);
                 for (int triangle = 0; triangle < instance.Mesh.TriangleCount; triangle++)
                     spheres.Add(SphereOf(instance, triangle, centre));
             }
+            SideCount = sides.Count / TubeKernels.SideRows;
+            Sides.Upload(sides.ToArray());
             SphereCount = spheres.Count;
             Spheres.Upload(spheres.ToArray());
             VertexCount = vertices.Count;
@@ -111,6 +125,25 @@ namespace Glint
                 new float4((float3)instance.Motion.VelocityAt(centre), 0),
                 new float4((float3)instance.Motion.AngularVelocity, 0)
             }).ToArray());
+        }
+
+        // Adds the sides at which triangles of a patch meet none of the same patch.
+        void AddSides(in MeshInstance instance, SurfacePatches patches, double3 centre, uint firstPatch,
+            List<float4> sides)
+        {
+            var welded = patches.Welded;
+            var toWorld = instance.ToWorld;
+            var placed = Array.ConvertAll(welded.Mesh.Vertices, vertex => toWorld.Point(vertex));
+            for (int side = 0; side < welded.Corners.Length; side++)
+            {
+                if (welded.EdgeOf[side] == WeldedMesh.None || patches.IsSmooth(side))
+                    continue;
+                int end = WeldedMesh.EndOf(side);
+                float patch = math.asfloat(firstPatch + (uint)patches.PatchOf[side / 3]);
+                foreach (int corner in new[] { side, end, WeldedMesh.Opposite(side) })
+                    sides.Add(new float4((float3)(placed[welded.Corners[corner]] - centre), patch));
+                LengthOfSides += math.distance(placed[welded.Corners[side]], placed[welded.Corners[end]]);
+            }
         }
 
         // A sphere about a triangle, relative to the scene's centre.

@@ -48,6 +48,9 @@ namespace Glint
         public static readonly int _GridX = Shader.PropertyToID("_GridX");
         public static readonly int _GridY = Shader.PropertyToID("_GridY");
         public static readonly int _GridDepth = Shader.PropertyToID("_GridDepth");
+        public static readonly int _Sides = Shader.PropertyToID("_Sides");
+        public static readonly int _SideCount = Shader.PropertyToID("_SideCount");
+        public static readonly int _LinkCapacity = Shader.PropertyToID("_LinkCapacity");
         public static readonly int _Marks = Shader.PropertyToID("_Marks");
         public static readonly int _WrittenMarks = Shader.PropertyToID("_WrittenMarks");
         public static readonly int _Links = Shader.PropertyToID("_Links");

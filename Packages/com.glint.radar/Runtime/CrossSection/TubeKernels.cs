@@ -20,18 +20,24 @@ namespace Glint
 
         const int Group = 64;              // GLINT_GROUP
 
+        // 64 MB.
+        const int MaxSideLinks = 1 << 22;
+
         /// <summary>Cells into which one is divided, and their corners: BLOCK_CELLS, BLOCK_CORNERS.</summary>
         public const int BlockCells = 4, BlockCorners = 9;
 
         /// <summary>Lists that a corner of a patch is in: VERTEX_LINKS.</summary>
         public const int VertexLinks = 4;
 
+        /// <summary>Rows of a side of a triangle on the outline of its patch: SIDE_ROWS.</summary>
+        public const int SideRows = 3;
+
         /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
         public const int CoverSide = 8;
 
         readonly ComputeShader _shader;
         readonly TubeRounds _rounds;
-        readonly int _clearMarks, _mark, _cover, _corners, _cells, _fringes, _parts;
+        readonly int _clearMarks, _mark, _outlines, _cover, _corners, _cells, _fringes, _parts;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
@@ -40,6 +46,7 @@ namespace Glint
             _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders", "TubeCorners");
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
+            _outlines = shader.FindKernel("MarkOutlines");
             _cover = shader.FindKernel("MarkCover");
             _corners = shader.FindKernel("TubeCorners");
             _cells = shader.FindKernel("TubeCells");
@@ -155,14 +162,18 @@ namespace Glint
             _shader.SetBuffer(_parts, TubeIDs._WaveNumbers, waveNumbers.Buffer);
         }
 
-        /// <summary>Words of the marks of a grid: a list of corners a cell, and the cover.</summary>
+        /// <summary>Words of the marks of a grid: lists of corners and sides a cell, the cover, a count of links.</summary>
         public static int MarkWordsOf(TubeGrid grid) =>
-            (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 1;
+            2 * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 2;
+
+        /// <summary>Links of corners and sides in the lists of a grid's cells. Those of sides beyond are left out.</summary>
+        public static int LinksOf(TubeGrid grid, SurfaceBuffers surfaces) => 1 + VertexLinks * surfaces.VertexCount
+            + (int)Math.Min(MaxSideLinks, 4.0 * surfaces.SideCount + 2 * surfaces.LengthOfSides / grid.Side);
 
         static int2 BlocksOf(TubeGrid grid) => (grid.Cells + CoverSide - 1) / CoverSide;
 
         /// <summary>
-        /// Lists the corners of patches seen near each cell, and marks the cells in which any triangle is.
+        /// Lists the corners and outlines of patches seen near each cell, and marks the cells in which any triangle is.
         /// </summary>
         public void Mark(TubeGrid grid, SurfaceBuffers surfaces, DeviceBuffer<uint> marks, DeviceBuffer<uint4> links)
         {
@@ -176,12 +187,17 @@ namespace Glint
             _shader.SetInt(TubeIDs._SphereCount, surfaces.SphereCount);
             _shader.SetInt(TubeIDs._MarkWords, words);
             _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
+            _shader.SetInt(TubeIDs._SideCount, surfaces.SideCount);
+            _shader.SetInt(TubeIDs._LinkCapacity, LinksOf(grid, surfaces));
             _shader.SetInts(TubeIDs._Grid, grid.Cells.x, 0, 0, 0);
-            foreach (int kernel in new[] { _clearMarks, _mark, _cover })
+            foreach (int kernel in new[] { _clearMarks, _mark, _outlines, _cover })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenMarks, marks.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
-            _shader.SetBuffer(_mark, TubeIDs._WrittenLinks, links.Buffer);
+            foreach (int kernel in new[] { _mark, _outlines })
+                _shader.SetBuffer(kernel, TubeIDs._WrittenLinks, links.Buffer);
+            foreach (int kernel in new[] { _outlines, _cells })
+                _shader.SetBuffer(kernel, TubeIDs._Sides, surfaces.Sides.Buffer);
             foreach (int kernel in new[] { _corners, _cells })
             {
                 _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
@@ -189,6 +205,7 @@ namespace Glint
             }
             _shader.DispatchThreads(_clearMarks, words);
             _shader.DispatchThreads(_mark, surfaces.VertexCount);
+            _shader.DispatchThreads(_outlines, surfaces.SideCount);
             _shader.DispatchThreads(_cover, surfaces.SphereCount);
         }
 
