@@ -174,7 +174,7 @@ void AmplitudeBorders(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             bendErrors[1] = bendError;
         }
     }
-    AddTo(TUBE_BORDER_RAYS, rays);
+    AddTo(CountWord(POSE_BORDER_RAYS), rays);
     if (isDivided)
     {
         Divide(cell, corners, firstPoint, isReceived);

@@ -107,7 +107,7 @@ void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     else if (isSame)
     {
         Return ray = Follow(CentreOfCell(cell), NO_POINT);
-        AddTo(TUBE_RAYS, 1);
+        AddTo(CountWord(POSE_RAYS), 1);
         float3 bends = BendsOf(ray, side);
         float size = _WaveNumber * (abs(bends.x) + abs(bends.y) + abs(bends.z)), error = BentError(size);
         bool isTube = ray.Signature == signature && (error * side * side <= _CellError || cell.Level >= _MaxLevel);

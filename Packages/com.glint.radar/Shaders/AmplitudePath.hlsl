@@ -11,6 +11,7 @@
 // of its position in the picture as long as it meets the same planes.
 
 // Input.
+uint4 _Grid;                               // base cells across; first and number of this dispatch, whole rows
 float4 _PictureStart;                      // xy: lower left corner of the grid, in rays from _ReferencePixel
 float4 _PictureStep;                       // xy: rays a base cell
 float4 _Aside;                             // xyz: _Direction less the view axis; w: 1 for parallel rays

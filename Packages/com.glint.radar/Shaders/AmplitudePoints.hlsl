@@ -14,7 +14,7 @@ void AmplitudePoints(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (ray >= across * rows)
         return;
     Follow(float2(ray % across, _Grid.y / _Grid.x + ray / across), ray);
-    AddTo(TUBE_RAYS, 1);
+    AddTo(CountWord(POSE_RAYS), 1);
 }
 
 #endif

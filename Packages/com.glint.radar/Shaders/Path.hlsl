@@ -31,16 +31,13 @@ Real3 AtPixel(float2 pixel, float4 value, float4 valueLo, float4 dx, float4 dxLo
     return Add(MakeReal3(value.xyz, valueLo.xyz), Add(across, along));
 }
 
-// The ray through a point of the picture, in rays from _ReferencePixel.
-Path BeginPath(float2 pixel)
+// A ray. Direction: a unit vector; relativeLength: of the path at its origin.
+Path BeginPath(Real3 origin, Real3 direction, Real relativeLength)
 {
-    Real3 direction =
-        AtPixel(pixel, _Direction, _DirectionLo, _DirectionDx, _DirectionDxLo, _DirectionDy, _DirectionDyLo);
-    Real size = Sqrt(Dot(direction, direction));
     Path path = (Path)0;
-    path.Ray.Origin = AtPixel(pixel, _Origin, _OriginLo, _OriginDx, _OriginDxLo, _OriginDy, _OriginDyLo);
-    path.Ray.Direction = Mul(direction, Div(MakeReal(1.0, 0.0), size));
-    path.Ray.Start = Rounded(path.Ray.Origin);
+    path.Ray.Origin = origin;
+    path.Ray.Direction = direction;
+    path.Ray.Start = Rounded(origin);
     path.Ray.ExcludedTriangle = NO_INSTANCE;
     path.Ray.DirectionError = ERROR_PER_SEGMENT;
 #ifdef GLINT_REFINE
@@ -48,8 +45,19 @@ Path BeginPath(float2 pixel)
 #else
     path.IsSure = true;
 #endif
-    path.RelativeLength = Mul(MakeReal(_OriginDepth.x, _OriginDepth.y), Sub(size, MakeReal(1.0, 0.0)));
+    path.RelativeLength = relativeLength;
     return path;
+}
+
+// The ray through a point of the picture, in rays from _ReferencePixel.
+Path BeginPath(float2 pixel)
+{
+    Real3 direction =
+        AtPixel(pixel, _Direction, _DirectionLo, _DirectionDx, _DirectionDxLo, _DirectionDy, _DirectionDyLo);
+    Real size = Sqrt(Dot(direction, direction));
+    return BeginPath(AtPixel(pixel, _Origin, _OriginLo, _OriginDx, _OriginDxLo, _OriginDy, _OriginDyLo),
+        Mul(direction, Div(MakeReal(1.0, 0.0), size)),
+        Mul(MakeReal(_OriginDepth.x, _OriginDepth.y), Sub(size, MakeReal(1.0, 0.0))));
 }
 
 bool IsLast(Path path)

@@ -17,22 +17,25 @@ struct Receiver
     float Strength;        // of what arrives, relative to that from the scene's centre
 };
 
+// A receiver of this thread's pose; behind them the radar.
 Receiver ReceiverFrom(uint index, float3 position)
 {
     Receiver receiver;
-    receiver.Direction = _Receivers[index].xyz;
-    receiver.V = _ReceiversV[index].xyz;
-    receiver.H = _ReceiversH[index].xyz;
+    uint row = RECEIVER_ROWS * (s_pose * (_ReceiverCount + 1) + index);
+    float4 place = _Receivers[row];
+    receiver.Direction = place.xyz;
+    receiver.V = _Receivers[row + 1].xyz;
+    receiver.H = _Receivers[row + 2].xyz;
     receiver.Distance = MISS;
     receiver.Phase = dot(position, receiver.Direction);
     receiver.Strength = 1.0;
     if (_IsNear != 0)
     {
-        float3 way = _Receivers[index].xyz - position;
+        float3 way = place.xyz - position;
         receiver.Distance = length(way);
         receiver.Direction = way / receiver.Distance;
         // the difference of both distances, without cancellation
-        receiver.Phase = dot(position, _Receivers[index].xyz + way) / (receiver.Distance + _Receivers[index].w);
+        receiver.Phase = dot(position, place.xyz + way) / (receiver.Distance + place.w);
         receiver.V -= receiver.Direction * dot(receiver.Direction, receiver.V);
         receiver.H -= receiver.Direction * dot(receiver.Direction, receiver.H);
         receiver.Strength = _Range / receiver.Distance;
@@ -94,7 +97,7 @@ float2 Radiated(float3 received, float4 field, float3 toReceiver, float3 directi
 // Of the sums of a receiver: paths that have met a sea alone are summed apart, behind all receivers.
 uint SlotOf(TubePath tube, uint receiver)
 {
-    return tube.HasMetTarget ? receiver : _ReceiverCount + receiver;
+    return s_pose * _SlotCount + (tube.HasMetTarget ? receiver : _ReceiverCount + receiver);
 }
 
 // Derivatives of the phase by u and v, m a base cell.
@@ -179,6 +182,7 @@ void AddTube(Tube tube, uint part, float3 rate)
         return;
     uint at;
     InterlockedAdd(_Sums[TUBE_COUNT], 1, at);
+    InterlockedAdd(_Sums[CountWord(POSE_TUBES)], 1);
     if (at >= _ListCapacity.x)
         return;
     _Tubes[at] = tube;

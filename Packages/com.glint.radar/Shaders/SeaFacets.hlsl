@@ -130,7 +130,7 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     uint copy = (cell.x + cell.y * _SeaCells.x) * _SeaCells.z + number % _SeaCells.z;
     float3 normal = section / area;
-    Receiver radar = ReceiverFrom(RADAR, position);
+    Receiver radar = ReceiverFrom(_ReceiverCount, position);
     AddSea(copy, SEA_AREA, section.y, SEA_AREA_UNITS);
     if (!IsLit(position, normal, radar))
         return;

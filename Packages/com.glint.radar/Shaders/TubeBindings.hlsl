@@ -3,13 +3,11 @@
 
 #include "WorkLists.hlsl"
 
-// Words of _Sums: the counts, then the sums of each copy, receiver and frequency.
+// Words of _Sums: the counts, then the sums of each copy, pose, slot and frequency.
 static const uint TUBE_COUNT = 0;          // tubes; may exceed _ListCapacity
 static const uint TUBE_CELLS = 1;          // cells of the next round
 static const uint TUBE_BORDERS = 2;        // border cells of this round
 static const uint TUBE_OVERFLOW = 3;       // 1: a list was full
-static const uint TUBE_RAYS = 4;           // rays traced in cells and at edges
-static const uint TUBE_BORDER_RAYS = 5;    // rays traced at borders
 static const uint TUBE_POINTS = 6;         // points of an amplitude's cells; may exceed _PointCapacity
 static const uint TUBE_REVEALED = 7;       // parts of cells in which more was found than in attempts before
 static const uint TUBE_HITS = 8;           // of the rays of an amplitude, 64 bits each: those that hit,
@@ -17,7 +15,13 @@ static const uint TUBE_BOUNCES = 10;       // their bounces,
 static const uint TUBE_RECEIVED = 12;      // those received,
 static const uint TUBE_LENGTHS = 14;       // and their lengths to the last hit less _OriginDepth, in units
 static const float TUBE_LENGTH_UNITS = 256.0;   // a metre
-static const uint TUBE_SUMS = 16;
+static const uint MAX_POSES = 16;          // of a dispatch
+static const uint POSE_COUNTS = 16;        // counts of each pose:
+static const uint POSE_COUNT_WORDS = 4;
+static const uint POSE_TUBES = 0;          // tubes,
+static const uint POSE_RAYS = 1;           // rays traced in cells and at edges,
+static const uint POSE_BORDER_RAYS = 2;    // rays traced at borders
+static const uint TUBE_SUMS = 80;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
 static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
@@ -26,7 +30,6 @@ static const uint SUM_TUBE_OVERFLOW = 22;  // 1: a contribution was too large fo
 static const uint PART_WORDS = 16;         // of a part: see TubeParts; its words are those of SUM_S
 
 static const uint MAX_RECEIVERS = 16;
-static const uint RADAR = MAX_RECEIVERS;    // index of the radar behind the receivers
 static const uint EDGE_CORNERS = 0xff;      // corners in Tube.Tag: a piece of an edge, Gradient.x a metre along it
 static const uint REFLECTION_STEPS = 1024; // of a table over the cosine of the incidence angle
 static const uint FLAT = 0xffffffff;       // a facet without a field of normals
@@ -47,7 +50,7 @@ struct Tube
 {
     float2 Gradient;      // of the phase along the grid, m a base cell
     float Phase;          // distance to the receiver less path length at the place of the ray, m
-    uint Tag;             // slot (SlotOf) | bounce << 8 | corners << 16; no corners: a square about the ray
+    uint Tag;             // slot of all poses (SlotOf) | bounce << 8 | corners << 16; no corners: a square about the ray
     float4 CoPolar;       // p.C times area a base cell, m2: VV, HH
     float4 CrossPolar;    // HV, VH
     float4 Corners01;     // of the polygon, from the place of the ray; of a square its side and bends, m
@@ -67,6 +70,8 @@ struct Cell
     float Strength;       // of what is left to sum: largest p.C, m2 a base cell
     float Bent;           // and the largest error of a piece by bent phases, as a fraction of its area
     uint2 Crossings;      // of the border with two sides: see BorderOf
+    uint Pose;            // of this dispatch
+    uint Unused[3];
 };
 
 // Input: what the tracer does not need.
@@ -81,13 +86,37 @@ uint _IsMoving;                            // 1: an instance moves
 StructuredBuffer<float4> _Reflections;     // per surface REFLECTION_STEPS + 1 elements: R_s, R_p over the cosine
 
 // Input: the radar and the receivers. At a finite range places are relative to the scene's centre.
-float4 _SentV, _SentH;
-// The receivers; far: unit vector to it; near: its place, w: its distance from 0. Behind them the radar.
-float4 _Receivers[MAX_RECEIVERS + 1];
-float4 _ReceiversV[MAX_RECEIVERS + 1];
-float4 _ReceiversH[MAX_RECEIVERS + 1];
+// GLINT_TUBE_POSE: what differs between the poses of a dispatch (Runtime/CrossSection/TubePose.cs). The rays of a grid are
+// linear functions of the position on it.
+struct TubePose
+{
+    float4 Origin, OriginDx, OriginDy;           // relative to the scene's centre, m
+    float4 Direction, DirectionDx, DirectionDy;
+    float4 SentV, SentH;
+    float4 GridX, GridY, GridDepth;              // base cell of a place: (X.place) / (Depth.place), w constant
+    uint4 Slice;                                 // base cells: first and number of this dispatch, a rectangle; its
+                                                 // cells across; first of its cells in the dispatch
+    uint2 Cells;                                 // base cells of the grid, across and up
+    uint2 Blocks;                                // of the cover, across and up
+    float2 Reference;                            // position at which the rays' functions have their constants
+    uint FirstCorner;                            // of its corners in the dispatch
+    float OriginDepth;                           // distance from the radar to the grid, m
+    float RadarPhase;                            // that the phases of the grid's paths have beside ReceiverFrom, m
+    uint Unused[3];
+};
+
+StructuredBuffer<TubePose> _Poses;
+uint _PoseCount;
+uint2 _BaseCounts;                         // base cells of this dispatch, and their corners
+static uint s_pose = 0;                    // of this thread
+
+// The receivers of each pose, then its radar. Three rows each; far: unit vector to it; near: its place, w: its distance
+// from 0; then its V and H.
+static const uint RECEIVER_ROWS = 3;
+StructuredBuffer<float4> _Receivers;
 uint _ReceiverCount;
-uint _SlotCount;                           // of sums: receivers, and again if there is a sea with a diffuse echo
+uint _SlotCount;                           // of the sums of a pose: receivers, and again if there is a sea with a diffuse
+                                           // echo
 uint _IsMonostatic;                        // 1: the only receiver is at the radar
 uint _IsNear;                              // 1: finite range
 float _Range;                              // at which the field is 1 at a finite range, m
@@ -97,8 +126,6 @@ uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
 // Input: the work.
-uint4 _Grid;                               // base cells across; first and number of this dispatch, a rectangle; its
-                                           // cells across
 uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
 uint _MaxLevel;                            // cells at it are not divided
 uint _MaxBisections;                       // of the sides of a base cell towards a border
@@ -113,11 +140,10 @@ StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: 
 static const uint VERTEX_LINKS = 4;        // lists that a corner is in
 static const uint MAX_VERTICES = 32;       // of a list that is read
 uint _VertexCount;
-uint _MarkWords;
-float4 _GridX, _GridY, _GridDepth;         // base cell of a place: (X.place) / (Depth.place), w constant
+uint _MarkWords;                           // of a pose
 StructuredBuffer<float4> _Vertices;
-StructuredBuffer<uint> _Marks;             // per base cell 1 + first element of _Links, or 0: of corners, then of
-                                           // outlines; then the words of the cover
+StructuredBuffer<uint> _Marks;             // per pose and base cell 1 + first element of _Links, or 0: of corners, then
+                                           // of outlines; then the words of the cover
 StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or number of a side; 1 + next element, or 0
 
 // Sides of triangles on the outlines of patches: ends and third corner of the triangle, relative to the scene's centre, m; w
@@ -126,7 +152,7 @@ StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or 
 static const uint SIDE_ROWS = 3;
 static const uint MAX_SIDES = 64;          // of a list that is read
 uint _SideCount;
-uint _LinkCapacity;
+uint _LinkCapacity;                        // of a pose
 StructuredBuffer<float4> _Sides;
 
 // Cover: a bit for each block of base cells in which triangles may be seen, then a word that is not 0 if all may be. The
@@ -135,23 +161,44 @@ static const uint COVER_SIDE = 8;           // of a block, in base cells
 static const uint MAX_COVERED = 4096;       // blocks that one thread marks
 uint _SphereCount;
 StructuredBuffer<float4> _Spheres;         // about the triangles, relative to the scene's centre, m; w: radius
-uint2 _Blocks;                             // across and up
-
-uint FirstCoverWord()                      // behind two lists a base cell
-{
-    return _MarkWords - (_Blocks.x * _Blocks.y + 31) / 32 - 2;
-}
 
 uint BaseCellCount()
 {
-    return FirstCoverWord() / 2;
+    return _Poses[s_pose].Cells.x * _Poses[s_pose].Cells.y;
+}
+
+// Words of the marks of this thread's pose.
+uint VertexWord(uint2 cell)
+{
+    return s_pose * _MarkWords + cell.x + cell.y * _Poses[s_pose].Cells.x;
+}
+
+uint OutlineWord(uint2 cell)
+{
+    return VertexWord(cell) + BaseCellCount();
+}
+
+uint CoverWord(uint bit)
+{
+    return s_pose * _MarkWords + 2 * BaseCellCount() + (bit >> 5);
+}
+
+uint AllCoveredWord()
+{
+    return (s_pose + 1) * _MarkWords - 2;
 }
 
 // Of a place relative to the scene's centre, base cells.
 float2 PlaceOnGrid(float3 place)
 {
-    return float2(dot(place, _GridX.xyz) + _GridX.w, dot(place, _GridY.xyz) + _GridY.w)
-        / (dot(place, _GridDepth.xyz) + _GridDepth.w);
+    float4 x = _Poses[s_pose].GridX, y = _Poses[s_pose].GridY, depth = _Poses[s_pose].GridDepth;
+    return float2(dot(place, x.xyz) + x.w, dot(place, y.xyz) + y.w) / (dot(place, depth.xyz) + depth.w);
+}
+
+// Word of a count of this thread's pose.
+uint CountWord(uint count)
+{
+    return POSE_COUNTS + POSE_COUNT_WORDS * s_pose + count;
 }
 
 RWStructuredBuffer<Tube> _Tubes;

@@ -40,7 +40,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     else
         _Borders[index / 2].Crossings.y = crossing;
     if (rays > 0)
-        AddTo(TUBE_BORDER_RAYS, rays);
+        AddTo(CountWord(POSE_BORDER_RAYS), rays);
 }
 
 #endif

@@ -6,39 +6,62 @@
 // The cells of a round, and the corners that they share: base cells those of a slice of the grid, cells of later rounds
 // those of the four into which a cell was divided.
 
-// Base cells of this dispatch: across, and rows.
+// Base cells of the pose's slice: across, and rows.
 uint2 SliceSize()
 {
-    return uint2(_Grid.w, _Grid.z / _Grid.w);
+    uint4 slice = _Poses[s_pose].Slice;
+    return uint2(slice.z, slice.y / slice.z);
 }
 
 uint2 SliceStart()
 {
-    return uint2(_Grid.y % _Grid.x, _Grid.y / _Grid.x);
-}
-
-uint2 CellsOfGrid()
-{
-    return uint2(_Grid.x, BaseCellCount() / _Grid.x);
+    uint first = _Poses[s_pose].Slice.x, across = _Poses[s_pose].Cells.x;
+    return uint2(first % across, first / across);
 }
 
 uint CellCount()
 {
-    return _Round == 0 ? _Grid.z : min(_Sums[TUBE_CELLS], _ListCapacity.y);
+    return _Round == 0 ? _BaseCounts.x : min(_Sums[TUBE_CELLS], _ListCapacity.y);
 }
 
 uint CornerCount()
 {
-    uint2 size = SliceSize() + 1;
-    return _Round == 0 ? size.x * size.y : CellCount() / BLOCK_CELLS * BLOCK_CORNERS;
+    return _Round == 0 ? _BaseCounts.y : CellCount() / BLOCK_CELLS * BLOCK_CORNERS;
 }
 
+// The pose of a base cell of the dispatch.
+uint PoseOfCell(uint index)
+{
+    uint pose = 0;
+    while (pose + 1 < _PoseCount && _Poses[pose + 1].Slice.w <= index)
+        pose++;
+    return pose;
+}
+
+// The pose of a corner of base cells of the dispatch.
+uint PoseOfCorner(uint index)
+{
+    uint pose = 0;
+    while (pose + 1 < _PoseCount && _Poses[pose + 1].FirstCorner <= index)
+        pose++;
+    return pose;
+}
+
+// Makes its pose that of the thread.
 Cell LoadCell(uint index)
 {
     if (_Round > 0)
-        return _TubeCells[index];
+    {
+        Cell part = _TubeCells[index];
+        s_pose = part.Pose;
+        return part;
+    }
+    s_pose = PoseOfCell(index);
+    uint4 slice = _Poses[s_pose].Slice;
+    uint inSlice = index - slice.w;
     Cell cell = (Cell)0;
-    cell.Position = SliceStart() + uint2(index % _Grid.w, index / _Grid.w);
+    cell.Position = SliceStart() + uint2(inSlice % slice.z, inSlice / slice.z);
+    cell.Pose = s_pose;
     return cell;
 }
 
@@ -47,7 +70,12 @@ uint CornerOfCell(uint index, uint corner)
 {
     uint2 at = uint2(CornerOf(corner) > 0.0);
     if (_Round == 0)
-        return index % _Grid.w + at.x + (index / _Grid.w + at.y) * (_Grid.w + 1);
+    {
+        uint4 slice = _Poses[s_pose].Slice;
+        uint inSlice = index - slice.w;
+        at += uint2(inSlice % slice.z, inSlice / slice.z);
+        return _Poses[s_pose].FirstCorner + at.x + at.y * (slice.z + 1);
+    }
     at += uint2(index & 1, index >> 1 & 1);
     return index / BLOCK_CELLS * BLOCK_CORNERS + at.x + 3 * at.y;
 }
@@ -60,7 +88,7 @@ bool HasVertex(Cell cell)
     float side = SideOfCell(cell);
     float2 centre = CentreOfCell(cell);
     uint2 base = cell.Position >> cell.Level;
-    uint link = _Marks[base.x + base.y * _Grid.x];
+    uint link = _Marks[VertexWord(base)];
     bool isNear = false;
     [loop]
     for (uint read = 0; read < MAX_VERTICES && link != 0 && !isNear; read++)
@@ -76,8 +104,8 @@ bool HasVertex(Cell cell)
 // Whether a triangle may be seen in the base cell.
 bool IsCovered(uint2 cell)
 {
-    uint bit = cell.x / COVER_SIDE + cell.y / COVER_SIDE * _Blocks.x;
-    return _Marks[_MarkWords - 2] != 0 || (_Marks[FirstCoverWord() + (bit >> 5)] >> (bit & 31) & 1) != 0;
+    uint bit = cell.x / COVER_SIDE + cell.y / COVER_SIDE * _Poses[s_pose].Blocks.x;
+    return _Marks[AllCoveredWord()] != 0 || (_Marks[CoverWord(bit)] >> (bit & 31) & 1) != 0;
 }
 
 // Whether no triangle can be seen in the cell.

@@ -17,6 +17,7 @@ void Divide(Cell cell)
             part.Position = 2 * cell.Position + uint2(i & 1, i >> 1);
             part.Level = cell.Level + 1;
             part.FirstBounce = cell.FirstBounce;
+            part.Pose = cell.Pose;
             _TubeCells[first + i] = part;
         }
 }
@@ -55,7 +56,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint index = IndexOf(group, thread);
     if (index >= min(_Sums[TUBE_BORDERS], _ListCapacity.z))
         return;
-    Cell cell = _Borders[index];
+    Cell cell = LoadBorder(index);
     Border border = BorderOf(cell);
     float side = SideOfCell(cell);
     bool canDivide = cell.Level < _MaxLevel && !IsSmall(cell);
@@ -129,7 +130,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (!isStraight && canDivide)
         Divide(cell);
-    AddTo(TUBE_BORDER_RAYS, rays);
+    AddTo(CountWord(POSE_BORDER_RAYS), rays);
 }
 
 #endif

@@ -128,7 +128,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 break;
         }
         areSame = areSame && tube.Path.Bounces >= common;
-        AddTo(TUBE_RAYS, 1);
+        AddTo(CountWord(POSE_RAYS), 1);
     }
     if (areSame && done >= common)
         return;

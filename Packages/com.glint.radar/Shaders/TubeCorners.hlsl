@@ -15,7 +15,7 @@ bool HasBaseCell(uint2 corner)
     {
         Cell cell = (Cell)0;
         cell.Position = corner - uint2(i & 1, i >> 1);
-        if (all(cell.Position < CellsOfGrid()))
+        if (all(cell.Position < _Poses[s_pose].Cells))
             isTraced = IsToTrace(cell);
     }
     return isTraced;
@@ -48,7 +48,9 @@ CornerPosition PositionOf(uint index)
     position.IsCounted = true;
     if (_Round == 0)
     {
-        uint2 inSlice = uint2(index % (_Grid.w + 1), index / (_Grid.w + 1)), corner = SliceStart() + inSlice;
+        s_pose = PoseOfCorner(index);
+        uint across = SliceSize().x + 1, number = index - _Poses[s_pose].FirstCorner;
+        uint2 inSlice = uint2(number % across, number / across), corner = SliceStart() + inSlice;
         position.OnGrid = corner;
         position.IsTraced = HasBaseCell(corner);
         position.IsCounted = all(inSlice > 0 || corner == 0);
@@ -93,7 +95,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     _Corners[index * _MaxBounces].Bounces = bounces;
     if (position.IsCounted)
-        AddTo(TUBE_RAYS, 1);
+        AddTo(CountWord(POSE_RAYS), 1);
 }
 
 #endif

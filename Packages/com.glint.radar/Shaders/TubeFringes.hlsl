@@ -24,7 +24,6 @@ struct EdgePiece
 StructuredBuffer<EdgePiece> _EdgePieces;
 uint2 _EdgeRange;                          // first piece and number of this dispatch
 float _EdgeOffset;                         // of the start of a shadow ray from its edge, m
-float _RadarPhase;                         // that the phases of the grid's paths have beside ReceiverFrom, m
 
 static const float PI = 0.5 * TWO_PI;
 
@@ -141,7 +140,7 @@ float SquareSine(float3 direction, float3 along)
 Tube FringeOf(EdgePiece piece, float2 part, uint index)
 {
     float3 middle = piece.Centre + 0.5 * (part.x + part.y) * piece.Along, t = piece.Along;
-    Receiver radar = ReceiverFrom(RADAR, middle), receiver = ReceiverFrom(index, middle);
+    Receiver radar = ReceiverFrom(_ReceiverCount, middle), receiver = ReceiverFrom(index, middle);
     float3 v = normalize(radar.V), h = normalize(radar.H - v * dot(v, radar.H));
     float2 coefficients = FringeCoefficients(piece.OuterAngle, AngleAround(piece, radar.Direction),
         AngleAround(piece, receiver.Direction));
@@ -156,8 +155,8 @@ Tube FringeOf(EdgePiece piece, float2 part, uint index)
     float2 crossPolar = scale * (coefficients.x * sent * received.yx - coefficients.y * sentAcross * receivedAcross.yx);
     Tube fringe = (Tube)0;
     fringe.Gradient.x = dot(radar.Direction + receiver.Direction, t);
-    fringe.Phase = radar.Phase + receiver.Phase + _RadarPhase;
-    fringe.Tag = index | EDGE_CORNERS << 16;
+    fringe.Phase = radar.Phase + receiver.Phase + _Poses[s_pose].RadarPhase;
+    fringe.Tag = s_pose * _SlotCount + index | EDGE_CORNERS << 16;
     fringe.CoPolar = float4(coPolar.x, 0.0, coPolar.y, 0.0);
     fringe.CrossPolar = float4(crossPolar.x, 0.0, crossPolar.y, 0.0);
     fringe.Corners01.x = part.y - part.x;
@@ -170,18 +169,19 @@ float3 RateAt(EdgePiece piece, float2 part, uint index)
     if (_IsMoving == 0)
         return 0.0;
     float3 middle = piece.Centre + 0.5 * (part.x + part.y) * piece.Along;
-    float3 turn = ReceiverFrom(RADAR, middle).Direction + ReceiverFrom(index, middle).Direction;
+    float3 turn = ReceiverFrom(_ReceiverCount, middle).Direction + ReceiverFrom(index, middle).Direction;
     return RateOf(piece.Instance, middle, piece.Along, 0.0, turn, 0.0, 0.0);
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint number = IndexOf(group, thread), index = number % _ReceiverCount;
-    if (number >= _EdgeRange.y * _ReceiverCount)
+    uint number = IndexOf(group, thread), ofPose = _EdgeRange.y * _ReceiverCount, index = number % _ReceiverCount;
+    if (number >= _PoseCount * ofPose)
         return;
-    EdgePiece piece = _EdgePieces[_EdgeRange.x + number / _ReceiverCount];
-    if (SquareSine(ReceiverFrom(RADAR, piece.Centre).Direction, piece.Along) < MIN_SQUARE_SINE)
+    s_pose = number / ofPose;
+    EdgePiece piece = _EdgePieces[_EdgeRange.x + number % ofPose / _ReceiverCount];
+    if (SquareSine(ReceiverFrom(_ReceiverCount, piece.Centre).Direction, piece.Along) < MIN_SQUARE_SINE)
         return;
     float2 part = 0.5 * piece.Length * float2(-1.0, 1.0);
     uint rays = 0, queries = _IsMonostatic != 0 ? 1 : 2;
@@ -189,10 +189,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     [loop]
     for (uint query = 0; query < queries && part.x < part.y; query++)
     {
-        float2 seen = LitPart(piece, query == 0 ? RADAR : index, rays);
+        float2 seen = LitPart(piece, query == 0 ? _ReceiverCount : index, rays);
         part = float2(max(part.x, seen.x), min(part.y, seen.y));
     }
-    AddTo(TUBE_RAYS, rays);
+    AddTo(CountWord(POSE_RAYS), rays);
     if (part.x >= part.y)
         return;
     Tube fringe = FringeOf(piece, part, index);

@@ -40,9 +40,12 @@ uint SignatureAt(float2 position)
     return tube.Signature;
 }
 
+// Makes its pose that of the thread.
 Cell LoadBorder(uint index)
 {
-    return _Borders[index];
+    Cell cell = _Borders[index];
+    s_pose = cell.Pose;
+    return cell;
 }
 
 #endif

@@ -42,7 +42,7 @@ float StrengthBeside(Cell cell, uint4 met, uint number)
     float offset = BESIDE * SideOfCell(cell) + ROUNDED_BESIDE * max(place.x, place.y);
     TubePath tube = BeginTube(place + (dot(across, inside - a) < 0.0 ? -offset : offset) * across);
     SurfacePoint at;
-    AddTo(TUBE_RAYS, 1);
+    AddTo(CountWord(POSE_RAYS), 1);
     if (!AdvanceTube(tube, at))
         return 0.0;
     uint receivers = ReceiversOf(tube, at);
@@ -54,7 +54,7 @@ float StrengthBeside(Cell cell, uint4 met, uint number)
 float StrengthOfThinParts(Cell cell, uint4 met)
 {
     uint2 base = cell.Position >> cell.Level;
-    uint link = _Marks[BaseCellCount() + base.x + base.y * _Grid.x];
+    uint link = _Marks[OutlineWord(base)];
     float strength = 0.0;
     [loop]
     for (uint read = 0; read < MAX_SIDES && link != 0; read++)

@@ -57,17 +57,20 @@ static const float MAX_SPREAD = 1.0e6;
 
 TubePath BeginTube(float2 position)
 {
+    TubePose pose = _Poses[s_pose];
+    float2 at = position - pose.Reference;
+    float3 whole = pose.Direction.xyz + at.x * pose.DirectionDx.xyz + at.y * pose.DirectionDy.xyz;
+    float size = length(whole);
+    float3 d = whole / size;
     TubePath tube = (TubePath)0;
-    tube.Path = BeginPath(position - _ReferencePixel.xy);
-    float3 d = tube.Path.Ray.Direction;
-    tube.PlaceU = _OriginDx.xyz;
-    tube.PlaceV = _OriginDy.xyz;
-    float3 whole = _Direction.xyz + (position.x - _ReferencePixel.x) * _DirectionDx.xyz
-        + (position.y - _ReferencePixel.y) * _DirectionDy.xyz;
-    tube.DirectionU = (_DirectionDx.xyz - d * dot(d, _DirectionDx.xyz)) / length(whole);
-    tube.DirectionV = (_DirectionDy.xyz - d * dot(d, _DirectionDy.xyz)) / length(whole);
-    tube.V = normalize(_SentV.xyz - d * dot(d, _SentV.xyz));
-    tube.H = _SentH.xyz - d * dot(d, _SentH.xyz);
+    tube.Path = BeginPath(pose.Origin.xyz + at.x * pose.OriginDx.xyz + at.y * pose.OriginDy.xyz, d,
+        pose.OriginDepth * (size - 1.0));
+    tube.PlaceU = pose.OriginDx.xyz;
+    tube.PlaceV = pose.OriginDy.xyz;
+    tube.DirectionU = (pose.DirectionDx.xyz - d * dot(d, pose.DirectionDx.xyz)) / size;
+    tube.DirectionV = (pose.DirectionDy.xyz - d * dot(d, pose.DirectionDy.xyz)) / size;
+    tube.V = normalize(pose.SentV.xyz - d * dot(d, pose.SentV.xyz));
+    tube.H = pose.SentH.xyz - d * dot(d, pose.SentH.xyz);
     tube.H = normalize(tube.H - tube.V * dot(tube.V, tube.H));
     tube.FieldV = float4(1.0, 0.0, 0.0, 0.0);
     tube.FieldH = float4(0.0, 0.0, 1.0, 0.0);

@@ -36,7 +36,7 @@ RWStructuredBuffer<uint4> _WrittenLinks;   // _Links
 void ClearMarks(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint word = IndexOf(group, thread);
-    if (word < _MarkWords)
+    if (word < _PoseCount * _MarkWords)
         _WrittenMarks[word] = 0;
 }
 
@@ -45,17 +45,20 @@ void ClearMarks(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (index >= _VertexCount)
+    if (index >= _PoseCount * _VertexCount)
         return;
+    s_pose = index / _VertexCount;
+    index %= _VertexCount;
+    uint2 cells = _Poses[s_pose].Cells;
     float2 at = PlaceOnGrid(_Vertices[index].xyz);
     int2 first = (int2)floor(at - 0.5);
     for (uint i = 0; i < VERTEX_LINKS; i++)
     {
         int2 cell = first + int2(i & 1, i >> 1);
-        uint word = cell.x + cell.y * _Grid.x, link = VERTEX_LINKS * index + i, next;
-        if (any(cell < 0) || (uint)cell.x >= _Grid.x || word >= BaseCellCount())
+        uint link = s_pose * _LinkCapacity + VERTEX_LINKS * index + i, next;
+        if (any(cell < 0) || any((uint2)cell >= cells))
             continue;
-        InterlockedExchange(_WrittenMarks[word], 1 + link, next);
+        InterlockedExchange(_WrittenMarks[VertexWord(cell)], 1 + link, next);
         _WrittenLinks[link] = uint4(asuint(at), next, 0);
     }
 }
@@ -63,14 +66,15 @@ void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 // Lists a side in a base cell.
 void MarkSide(uint side, int2 cell)
 {
-    uint word = BaseCellCount() + cell.x + cell.y * _Grid.x, link, next;
-    if (any(cell < 0) || (uint)cell.x >= _Grid.x || word >= FirstCoverWord())
+    uint link, next;
+    if (any(cell < 0) || any((uint2)cell >= _Poses[s_pose].Cells))
         return;
-    InterlockedAdd(_WrittenMarks[_MarkWords - 1], 1, link);
+    InterlockedAdd(_WrittenMarks[(s_pose + 1) * _MarkWords - 1], 1, link);
     link += VERTEX_LINKS * _VertexCount;
     if (link >= _LinkCapacity)
         return;
-    InterlockedExchange(_WrittenMarks[word], 1 + link, next);
+    link += s_pose * _LinkCapacity;
+    InterlockedExchange(_WrittenMarks[OutlineWord(cell)], 1 + link, next);
     _WrittenLinks[link] = uint4(side, 0, next, 0);
 }
 
@@ -80,13 +84,15 @@ void MarkSide(uint side, int2 cell)
 void MarkOutlines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (index >= _SideCount)
+    if (index >= _PoseCount * _SideCount)
         return;
+    s_pose = index / _SideCount;
+    index %= _SideCount;
     float2 a = PlaceOnGrid(_Sides[SIDE_ROWS * index].xyz), b = PlaceOnGrid(_Sides[SIDE_ROWS * index + 1].xyz);
     bool isUpright = abs(b.y - a.y) > abs(b.x - a.x);
     float2 start = isUpright ? a.yx : a, end = isUpright ? b.yx : b;
     float slope = (end.y - start.y) / (end.x == start.x ? 1.0 : end.x - start.x);
-    float cells = isUpright ? BaseCellCount() / _Grid.x : _Grid.x;
+    float cells = isUpright ? _Poses[s_pose].Cells.y : _Poses[s_pose].Cells.x;
     float first = max(0.0, floor(min(start.x, end.x))), last = min(cells - 1.0, floor(max(start.x, end.x)));
     [loop]
     for (float along = first; along <= last; along += 1.0)
@@ -104,27 +110,29 @@ void MarkOutlines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (index >= _SphereCount)
+    if (index >= _PoseCount * _SphereCount)
         return;
-    float4 sphere = _Spheres[index];
-    float depth = dot(sphere.xyz, _GridDepth.xyz) + _GridDepth.w, deep = sphere.w * length(_GridDepth.xyz);
-    float2 at = float2(dot(sphere.xyz, _GridX.xyz) + _GridX.w, dot(sphere.xyz, _GridY.xyz) + _GridY.w) / depth;
-    float2 reach = (sphere.w * float2(length(_GridX.xyz), length(_GridY.xyz)) + abs(at) * deep) / max(depth - deep, 1.0e-6);
+    s_pose = index / _SphereCount;
+    float4 sphere = _Spheres[index % _SphereCount];
+    float4 gridX = _Poses[s_pose].GridX, gridY = _Poses[s_pose].GridY, gridDepth = _Poses[s_pose].GridDepth;
+    uint2 blocks = _Poses[s_pose].Blocks;
+    float depth = dot(sphere.xyz, gridDepth.xyz) + gridDepth.w, deep = sphere.w * length(gridDepth.xyz);
+    float2 at = float2(dot(sphere.xyz, gridX.xyz) + gridX.w, dot(sphere.xyz, gridY.xyz) + gridY.w) / depth;
+    float2 reach = (sphere.w * float2(length(gridX.xyz), length(gridY.xyz)) + abs(at) * deep) / max(depth - deep, 1.0e-6);
     int2 first = (int2)max(0.0, floor((at - reach - 0.1) / COVER_SIDE));
-    int2 last = (int2)min((float2)_Blocks - 1.0, floor((at + reach + 0.1) / COVER_SIDE)), size = last - first + 1;
-    uint cover = FirstCoverWord();
+    int2 last = (int2)min((float2)blocks - 1.0, floor((at + reach + 0.1) / COVER_SIDE)), size = last - first + 1;
     if (any(size <= 0))
         return;
     if (depth <= deep || (uint)size.x * size.y > MAX_COVERED)
     {
-        _WrittenMarks[_MarkWords - 2] = 1;
+        _WrittenMarks[AllCoveredWord()] = 1;
         return;
     }
     for (uint i = 0; i < (uint)size.x * size.y; i++)
     {
         uint2 block = (uint2)first + uint2(i % size.x, i / size.x);
-        uint bit = block.x + block.y * _Blocks.x;
-        InterlockedOr(_WrittenMarks[cover + (bit >> 5)], 1u << (bit & 31));
+        uint bit = block.x + block.y * blocks.x;
+        InterlockedOr(_WrittenMarks[CoverWord(bit)], 1u << (bit & 31));
     }
 }
 

@@ -197,6 +197,20 @@ void Accumulate(inout Sum sums[11], Radiation radiation, inout uint overflow)
     Accumulate(sums[6], sums[7], radiation.HH, overflow);
 }
 
+static const uint NO_SLOT = 0xffffffff;
+
+// Adds the sums of a thread to those of a slot of all poses.
+void AddSums(uint slot, uint frequency, uint copy, Sum sums[11], uint overflow)
+{
+    if (slot == NO_SLOT)
+        return;
+    uint first = TUBE_SUMS + ((copy * _PoseCount * _SlotCount + slot) * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
+    for (uint sum = 0; sum < 11; sum++)
+        AddWords(first + SUM_S + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
+    if (overflow != 0)
+        InterlockedOr(_Sums[first + SUM_TUBE_OVERFLOW], 1);
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -212,13 +226,22 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     {
         Sum sums[11];
         Clear(sums);
-        uint overflow = 0;
+        uint overflow = 0, held = NO_SLOT;
         [loop]
         for (uint i = tubes.x + share; i < tubes.y; i += shares)
         {
             Tube tube = _Tubes[i];
-            if ((tube.Tag & 0xff) != slot)
+            uint slotOfAll = tube.Tag & 0xff;
+            if (slotOfAll % _SlotCount != slot)
                 continue;
+            // Tubes of a pose lie together: its sums change seldom.
+            if (slotOfAll != held)
+            {
+                AddSums(held, frequency, copy, sums, overflow);
+                Clear(sums);
+                overflow = 0;
+                held = slotOfAll;
+            }
             Radiation radiation = RadiationOf(tube, i, waveNumber);
             Accumulate(sums, radiation, overflow);
             // Errors of bent phases may add up or not.
@@ -229,11 +252,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
             Accumulate(sums[10], min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS), overflow);
         }
-        uint first = TUBE_SUMS + ((copy * _SlotCount + slot) * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
-        for (uint sum = 0; sum < 11; sum++)
-            AddWords(first + SUM_S + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
-        if (overflow != 0)
-            InterlockedOr(_Sums[first + SUM_TUBE_OVERFLOW], 1);
+        AddSums(held, frequency, copy, sums, overflow);
     }
 }
 

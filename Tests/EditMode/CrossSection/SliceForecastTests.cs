@@ -6,9 +6,10 @@ namespace Glint.Tests
     {
         const long MaxRays = 1000;
 
+        // 6 rays a cell are assumed.
         [Test]
-        public void FirstAttempt_IsNotCut() =>
-            Assert.That(Begun(1).CellsFrom(0, 5000), Is.EqualTo(5000));
+        public void FirstAttempt_HasCellsOfTheRaysAssumed() =>
+            Assert.That(CellsFrom(Begun(1), 0, 5000), Is.EqualTo(166));
 
         // 100 cells of one ray, then cells of 20: at the same error the slice has the first and 45 of the others.
         [Test]
@@ -18,10 +19,10 @@ namespace Glint.Tests
             forecast.Took(0, 100, 100);
             forecast.Took(100, 400, 8000);
             forecast.Begin(1);
-            Assert.That(forecast.CellsFrom(0, 500), Is.EqualTo(100 + 45));
-            Assert.That(forecast.CellsFrom(145, 355), Is.EqualTo(50));
-            Assert.That(forecast.CellsFrom(145, 20), Is.EqualTo(20), "no more than asked for");
-            Assert.That(forecast.CellsFrom(480, 20), Is.EqualTo(20));
+            Assert.That(CellsFrom(forecast, 0, 500), Is.EqualTo(100 + 45));
+            Assert.That(CellsFrom(forecast, 145, 355), Is.EqualTo(50));
+            Assert.That(CellsFrom(forecast, 145, 20), Is.EqualTo(20), "no more than asked for");
+            Assert.That(CellsFrom(forecast, 480, 20), Is.EqualTo(20));
         }
 
         // A smaller error takes more rays, but no more than in proportion.
@@ -31,21 +32,30 @@ namespace Glint.Tests
             var forecast = Begun(1);
             forecast.Took(0, 1000, 1000);
             forecast.Begin(0.125);
-            Assert.That(forecast.CellsFrom(0, 1000), Is.InRange(125, 500));
+            Assert.That(CellsFrom(forecast, 0, 1000), Is.InRange(125, 500));
         }
 
+        // The rays that a slice does not take are left for those of other poses.
         [Test]
-        public void Slice_HasACell()
+        public void Slice_LeavesRays()
         {
             var forecast = Begun(1);
-            forecast.Took(0, 1, 1000000);
-            forecast.Begin(0.001);
-            Assert.That(forecast.CellsFrom(0, 1), Is.EqualTo(1));
+            forecast.Took(0, 10, 300);
+            forecast.Begin(1);
+            double left = MaxRays;
+            Assert.That(forecast.CellsFrom(0, 10, ref left), Is.EqualTo(10));
+            Assert.That(left, Is.EqualTo(700));
+        }
+
+        static long CellsFrom(SliceForecast forecast, long first, long max)
+        {
+            double left = MaxRays;
+            return forecast.CellsFrom(first, max, ref left);
         }
 
         static SliceForecast Begun(double error)
         {
-            var forecast = new SliceForecast(MaxRays);
+            var forecast = new SliceForecast();
             forecast.Begin(error);
             return forecast;
         }

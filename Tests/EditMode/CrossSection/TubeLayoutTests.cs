@@ -14,7 +14,8 @@ namespace Glint.Tests
         public void Structs_AreWholeRowsOfSixteenBytes()
         {
             Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(96));
-            Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(48));
+            Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(64));
+            Assert.That(Marshal.SizeOf<TubePose>(), Is.EqualTo(240));
             Assert.That(Marshal.SizeOf<TubeCorner>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<SeaFacet>(), Is.EqualTo(32));
@@ -33,7 +34,7 @@ namespace Glint.Tests
             var cell = new TubeCell
             {
                 Position = uint2(25, 26), Level = 27, FirstBounce = 28, Signatures = uint4(29, 30, 31, 32),
-                Strength = 33, Bent = 34, Crossings = uint2(35, 36)
+                Strength = 33, Bent = 34, Crossings = uint2(35, 36), Pose = 161
             };
             var piece = new EdgePiece
             {
@@ -52,9 +53,18 @@ namespace Glint.Tests
                 Signature = 85, Bounces = 86, Strength = float2(87, 88), Position = float4(89, 90, 91, 92),
                 AlongU = float4(93, 94, 95, 96), AlongV = float4(97, 98, 99, 100)
             };
+            Unity.Mathematics.float4 Row(float first) => float4(first, first + 1, first + 2, first + 3);
+            var pose = new TubePose
+            {
+                Origin = Row(101), OriginDx = Row(105), OriginDy = Row(109), Direction = Row(113), DirectionDx = Row(117),
+                DirectionDy = Row(121), SentV = Row(125), SentH = Row(129), GridX = Row(133), GridY = Row(137),
+                GridDepth = Row(141), Slice = uint4(145, 146, 147, 148), Cells = uint2(149, 150), Blocks = uint2(151, 152),
+                Reference = float2(153, 154), FirstCorner = 155, OriginDepth = 156, RadarPhase = 157,
+                Unused = uint3(158, 159, 160)
+            };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
                 || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68)
-                || field >= 81 && field <= 86;
+                || field >= 81 && field <= 86 || field >= 145 && field <= 152 || field == 155 || field >= 158;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
@@ -63,7 +73,8 @@ namespace Glint.Tests
                 fields.Bind("_SeaFacetIn", facet);
                 fields.Bind("_SeaTileIn", tile);
                 fields.Bind("_CornerIn", corner);
-                Assert.That(fields.Unpack(100), Is.EqualTo(Enumerable.Range(1, 100)
+                fields.Bind("_TubePoseIn", pose);
+                Assert.That(fields.Unpack(161), Is.EqualTo(Enumerable.Range(1, 161)
                     .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
             }
         }
@@ -77,12 +88,15 @@ namespace Glint.Tests
                 new Dictionary<string, double>
                 {
                     ["TUBE_COUNT"] = TubeSums.Count, ["TUBE_OVERFLOW"] = TubeSums.Overflow,
-                    ["TUBE_RAYS"] = TubeSums.RayCount, ["TUBE_BORDER_RAYS"] = TubeSums.BorderRayCount, ["TUBE_SUMS"] = TubeKernels.FirstSum,
+                    ["MAX_POSES"] = TubeKernels.MaxPoses, ["POSE_COUNTS"] = TubeSums.FirstPose,
+                    ["POSE_COUNT_WORDS"] = TubeSums.PoseWords, ["POSE_TUBES"] = TubeSums.PoseTubes,
+                    ["POSE_RAYS"] = TubeSums.PoseRays, ["POSE_BORDER_RAYS"] = TubeSums.PoseBorderRays,
+                    ["TUBE_SUMS"] = TubeKernels.FirstSum, ["RECEIVER_ROWS"] = 3,
                     ["TUBE_SUM_WORDS"] = TubeKernels.SumWords,
                     // Sums have two words.
                     ["SUM_S"] = 0, ["SUM_BENT"] = 2 * TubeSums.Bent, ["SUM_ERROR"] = 2 * TubeSums.Border,
                     ["SUM_TUBE_OVERFLOW"] = TubeSums.TooLarge,
-                    ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers, ["RADAR"] = TubeKernels.MaxReceivers,
+                    ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers,
                     ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
                     ["COVER_SIDE"] = TubeKernels.CoverSide,
                     ["PART_WORDS"] = TubeKernels.PartWords, ["TUBE_REVEALED"] = AmplitudeTracer.RevealedCount,
@@ -124,9 +138,10 @@ namespace Glint.Tests
         {
             var constants = ShaderConstants.Of("TubeBindings.hlsl");
             double[] counts = { constants["TUBE_COUNT"], constants["TUBE_CELLS"], constants["TUBE_BORDERS"],
-                constants["TUBE_OVERFLOW"], constants["TUBE_RAYS"], constants["TUBE_BORDER_RAYS"] };
+                constants["TUBE_OVERFLOW"] };
             Assert.That(counts, Is.Unique);
-            Assert.That(counts, Is.All.LessThan(TubeKernels.FirstSum));
+            Assert.That(counts, Is.All.LessThan(TubeSums.FirstPose));
+            Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));
             Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,
@@ -139,7 +154,8 @@ namespace Glint.Tests
         [Test]
         public void Tag_HoldsReceiverBounceAndCorners()
         {
-            Assert.That(TubeKernels.MaxReceivers, Is.LessThanOrEqualTo(256));
+            Assert.That(2 * TubeKernels.MaxReceivers, Is.LessThanOrEqualTo(TubeSums.MaxSlots));
+            Assert.That(TubeSums.MaxSlots, Is.EqualTo(256));
             Assert.That(Core.RadarSettings.BounceLimit, Is.LessThanOrEqualTo(255));
             Assert.That(ShaderConstants.Of("TubeBindings.hlsl")["EDGE_CORNERS"],
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");

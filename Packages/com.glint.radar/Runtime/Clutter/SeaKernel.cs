@@ -22,6 +22,7 @@ namespace Glint
         readonly int _clear, _facets;
         readonly SeaBuffers _sea = new SeaBuffers();
         readonly DeviceBuffer<uint> _output = new DeviceBuffer<uint>("sums of a sea");
+        readonly DeviceBuffer<float4> _receivers = new DeviceBuffer<float4>("receivers of a sea");
         readonly DispatchPacer _pacer = new DispatchPacer();
 
         DeviceScene _scene;
@@ -98,7 +99,9 @@ namespace Glint
             _shader.SetBuffer(_facets, SeaIDs._SeaTiles, _sea.Tiles.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._SeaVelocities, _sea.Velocities.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._FacetTable, _sea.Table.Buffer);
-            TubeKernels.SetReceivers(_shader, pose, _scene.Centre);
+            TubeKernels.SetReceivers(_shader, pose);
+            _receivers.Upload(TubeKernels.ReceiverRows(pose, _scene.Centre).ToArray());
+            _shader.SetBuffer(_facets, TubeIDs._Receivers, _receivers.Buffer);
             double extent = math.distance(_scene.Min, _scene.Max);
             _shader.SetVector(ShaderIDs._SceneCentreExtent, KernelCalls.ToVector(_scene.Centre, (float)extent));
             _shader.SetFloat(TubeIDs._WaveNumber, (float)(2 * Math.PI / Signal.Wavelength(frequency)));
@@ -160,6 +163,7 @@ namespace Glint
         {
             _sea.Dispose();
             _output.Dispose();
+            _receivers.Dispose();
         }
     }
 }

@@ -29,6 +29,9 @@ namespace Glint
         const double PartOfTolerance = 0.25, MinFirstCellError = 1.0 / 64, MaxFirstCellError = 1.0 / 8,
             MinCellError = 1.0 / (1 << 17);
 
+        // Of the marks of all poses of a dispatch: 256 MB.
+        const long MaxMarkWords = 1 << 26;
+
         readonly string _owner;
         readonly TubeKernels _kernels;
         readonly DeviceScene _scene;
@@ -78,57 +81,104 @@ namespace Glint
         internal int CellsADispatch { get; set; }
 
         /// <summary>Traces one pose to its tolerance.</summary>
+        /// <inheritdoc cref="Trace(IReadOnlyList{CrossSectionPose}, IProgress{double}, CancellationToken)"/>
+        public CrossSectionResult Trace(CrossSectionPose pose, IProgress<double> progress = null,
+            CancellationToken cancel = default) => Trace(new[] { pose }, progress, cancel)[0];
+
+        /// <summary>
+        /// Traces poses to their tolerance, many in a dispatch on a GPU, which a single one does not fill. The results are
+        /// those of single poses, bit for bit.
+        /// </summary>
+        /// <param name="poses">They differ in the aspects of radar and receivers only.</param>
         /// <param name="progress">Receives the fraction done, 0 to 1, of each attempt.</param>
         /// <param name="cancel">Cancels while BVHs are built, or after the current slice.</param>
         /// <exception cref="GlintException">The memory does not suffice for the scene.</exception>
-        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
-        public CrossSectionResult Trace(CrossSectionPose pose, IProgress<double> progress = null,
+        /// <exception cref="OperationCanceledException">The poses were cancelled.</exception>
+        public CrossSectionResult[] Trace(IReadOnlyList<CrossSectionPose> poses, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
-            SetScene(pose, cancel);
+            SetScene(poses[0], cancel);
             if (_scene.IsEmpty)
-                return new CrossSectionResult(pose.Receivers.Length, pose.Samples) { IsMet = true };
-            var grid = GridOf(pose);
-            var edges = new TubeSums(pose, grid);
+                return poses.Select(pose => new CrossSectionResult(pose.Receivers.Length, pose.Samples) { IsMet = true })
+                    .ToArray();
+            var jobs = poses.Select(pose => new TubeJob(pose, GridOf(pose))).ToArray();
+            for (int first = 0, count; first < jobs.Length; first += count)
+            {
+                count = PosesFrom(jobs, first);
+                TraceTogether(jobs.Skip(first).Take(count).ToArray(), progress, cancel);
+            }
+            return Array.ConvertAll(jobs, job => job.Result);
+        }
+
+        // Poses that the kernels' lists and sums hold.
+        int PosesFrom(TubeJob[] jobs, int first)
+        {
+            var pose = jobs[first].Pose;
+            if (SoftwareDevice.IsInUse || pose.Scene.Seas.Count > 0)
+                return 1;
+            int most = Math.Min(Math.Min(TubeKernels.MaxPoses, TubeSums.MaxSlots / TubeSums.SlotsOf(pose)),
+                jobs.Length - first);
+            int count = 1;
+            while (count < most && (count + 1L) * MarkWordsOf(jobs.Skip(first).Take(count + 1)) <= MaxMarkWords)
+                count++;
+            return count;
+        }
+
+        static int MarkWordsOf(IEnumerable<TubeJob> jobs) => jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
+
+        void TraceTogether(TubeJob[] jobs, IProgress<double> progress, CancellationToken cancel)
+        {
+            var pose = jobs[0].Pose;
             // Before the tubes' buffers are bound: it clears sums of its own.
             var clutter = Clutter(pose, cancel);
-            Bind(pose, grid, edges, TubeSums.OutputSize(pose), 1);
+            int outputSize = TubeSums.OutputSize(pose, jobs.Length);
+            Bind(jobs, outputSize, 1);
             _kernels.SumAll();
-            double floor =
-                Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max), FloorOf(clutter));
-            // The same for every attempt.
-            TraceEdges(pose, TubeSums.OutputSize(pose), read => edges.Add(read, _owner), cancel);
-            long rays = 0;
-            var forecast = NewForecast();
-            double atLeast = InBaseCells(pose, grid, MinCellError);
-            for (double cellError = CellError > 0 ? CellError : FirstCellErrorOf(pose, grid); ;)
+            double floor = Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max), FloorOf(clutter));
+            TraceEdges(jobs, outputSize, read => AddTo(jobs, job => job.Edges, read), cancel);
+            foreach (var job in jobs)
+                job.Plan(CellError > 0 ? CellError : FirstCellErrorOf(job));
+            while (jobs.Any(job => !job.IsDone))
             {
-                var sums = new TubeSums(pose, grid);
-                TraceCells(cellError, pose, grid, forecast, TubeSums.OutputSize(pose), read => sums.Add(read, _owner),
-                    progress, cancel);
-                sums.Add(edges);
-                var result = sums.ToResult();
-                result.Add(clutter);
-                result.CellError = cellError;
-                result.Rays = (rays += result.Rays) + edges.Rays;
-                result.FloorDbsm = floor;
-                result.WedgesLeftOut = pose.HasEdges ? _edges.LeftOutCount : 0;
-                double excess = Excess(result, pose.ToleranceDb, floor);
-                result.IsMet = excess <= 1;
-                if (result.IsMet || CellError > 0 || cellError <= atLeast)
-                    return result;
-                // Errors fall with the power 0.6 of that of a cell.
-                cellError = Math.Max(atLeast, cellError / math.clamp(1.5 * Math.Pow(excess, 1.6), 2, 64));
+                double cellError = jobs.Where(job => !job.IsDone).Max(job => job.CellError);
+                var now = jobs.Where(job => !job.IsDone && job.CellError == cellError).ToArray();
+                TraceCells(jobs, now, outputSize, read => AddTo(jobs, job => job.Sums, read), progress, cancel);
+                foreach (var job in now)
+                    EndAttempt(job, clutter, floor);
             }
         }
 
-        static double FirstCellErrorOf(CrossSectionPose pose, TubeGrid grid) => InBaseCells(pose, grid, math.clamp(
-            PartOfTolerance * CrossSectionAccuracy.AllowedBy(pose.ToleranceDb), MinFirstCellError, MaxFirstCellError));
+        void AddTo(TubeJob[] jobs, Func<TubeJob, TubeSums> sumsOf, uint[] read)
+        {
+            for (int i = 0; i < jobs.Length; i++)
+                sumsOf(jobs[i])?.Add(read, i, jobs.Length, _owner);
+        }
+
+        // Ends an attempt, and plans the next one if the error is too large.
+        void EndAttempt(TubeJob job, ClutterEcho[] clutter, double floor)
+        {
+            var result = job.End();
+            result.Add(clutter);
+            result.FloorDbsm = floor;
+            result.WedgesLeftOut = job.Pose.HasEdges ? _edges.LeftOutCount : 0;
+            double excess = Excess(result, job.Pose.ToleranceDb, floor);
+            result.IsMet = excess <= 1;
+            double atLeast = InBaseCells(job, MinCellError);
+            job.IsDone = result.IsMet || CellError > 0 || job.CellError <= atLeast;
+            if (job.IsDone)
+                return;
+            // Errors fall with the power 0.6 of that of a cell. Poses are traced together in powers of two.
+            double step = Math.Ceiling(Math.Log(math.clamp(1.5 * Math.Pow(excess, 1.6), 2, 64), 2));
+            job.Plan(Math.Max(atLeast, job.CellError / Math.Pow(2, step)));
+        }
+
+        static double FirstCellErrorOf(TubeJob job) => InBaseCells(job, math.clamp(
+            PartOfTolerance * CrossSectionAccuracy.AllowedBy(job.Pose.ToleranceDb), MinFirstCellError, MaxFirstCellError));
 
         // An error of a plate of a square wavelength as that of a base cell's, if that is larger.
-        static double InBaseCells(CrossSectionPose pose, TubeGrid grid, double error)
+        static double InBaseCells(TubeJob job, double error)
         {
-            double wavelengths = Math.Max(1, grid.Side / Signal.Wavelength(pose.Frequencies.Last()));
+            double wavelengths = Math.Max(1, job.Grid.Side / Signal.Wavelength(job.Pose.Frequencies.Last()));
             return error / (wavelengths * wavelengths);
         }
 
@@ -165,14 +215,15 @@ namespace Glint
             SetScene(pose, cancel);
             if (_scene.IsEmpty)
                 return CrossSectionContributions.None;
-            var grid = GridOf(pose);
-            var units = new TubeSums(pose, grid);
+            var jobs = new[] { new TubeJob(pose, GridOf(pose)) };
             var parts = _surfaces.Parts;
-            var sums = new PartSums(parts, TubeSums.OutputSize(pose), units, receiver, frequency);
-            Bind(pose, grid, units, sums.OutputSize, ListCapacity);
-            _kernels.SumParts(parts, receiver, frequency, TubeSums.OutputSize(pose));
-            TraceEdges(pose, sums.OutputSize, sums.Add, cancel);
-            TraceCells(result.CellError, pose, grid, NewForecast(), sums.OutputSize, sums.Add, progress, cancel);
+            int firstPart = TubeSums.OutputSize(pose, 1);
+            var sums = new PartSums(parts, firstPart, jobs[0].Edges, receiver, frequency);
+            Bind(jobs, sums.OutputSize, ListCapacity);
+            _kernels.SumParts(parts, receiver, frequency, firstPart);
+            TraceEdges(jobs, sums.OutputSize, sums.Add, cancel);
+            jobs[0].Plan(result.CellError);
+            TraceCells(jobs, jobs, sums.OutputSize, sums.Add, progress, cancel);
             return sums.ToContributions(polarisations);
         }
 
@@ -202,11 +253,12 @@ namespace Glint
         TubeGrid GridOf(CrossSectionPose pose) =>
             new TubeGrid(pose, TubeGrid.SideFor(pose, _scene.Min, _scene.Max), _scene.Min, _scene.Max);
 
-        void Bind(CrossSectionPose pose, TubeGrid grid, TubeSums units, int outputSize, int tubeParts)
+        void Bind(TubeJob[] jobs, int outputSize, int tubeParts)
         {
+            var pose = jobs[0].Pose;
             _kernels.SetScene(_scene, _surfaces);
-            _kernels.SetPose(pose, grid);
-            _kernels.SetUnits(units);
+            _kernels.SetPoses(jobs);
+            _kernels.SetUnits(jobs[0].Edges);
             _output.Reserve(outputSize);
             _tubes.Reserve(ListCapacity);
             _tubeParts.Reserve(tubeParts);
@@ -218,39 +270,42 @@ namespace Glint
                 TubeRounds.WaveNumber(pose.FrequencyOf(sample), pose.TimeOf(sample))).ToArray());
             _kernels.SetLists(_output, _tubes, _tubeParts, _tubeRates, _cells, _borders, _corners,
                 _waveNumbers, CellCapacity(pose));
-            _marks.Reserve(TubeKernels.MarkWordsOf(grid));
-            _links.Reserve(TubeKernels.LinksOf(grid, _surfaces));
-            _kernels.Mark(grid, _surfaces, _marks, _links);
+            int words = MarkWordsOf(jobs), links = TubeKernels.LinksOf(jobs[0].Grid, _surfaces);
+            _marks.Reserve((long)jobs.Length * words);
+            _links.Reserve((long)jobs.Length * links);
+            _kernels.Mark(jobs.Length, words, links, _surfaces, _marks, _links);
         }
 
-        // Traces all cells to an error of each, slice by slice, and hands each slice's output over.
-        void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, SliceForecast forecast, int outputSize,
-            Action<uint[]> add, IProgress<double> progress, CancellationToken cancel)
+        // Traces all cells of some of the poses to an error of each, slice by slice, and hands each slice's output over.
+        void TraceCells(TubeJob[] jobs, TubeJob[] now, int outputSize, Action<uint[]> add, IProgress<double> progress,
+            CancellationToken cancel)
         {
+            var (pose, grid, cellError) = (now[0].Pose, now[0].Grid, now[0].CellError);
             // A division makes a cell's share a quarter; a bisection halves the error of its border. Where curved
             // surfaces focus, a base cell returns up to 64 times what a plate does.
             int maxLevel = (int)Math.Ceiling(0.5 * Math.Log(1.2 / cellError, 2)) + 3;
             int maxBisections = (int)Math.Ceiling(Math.Log(1 / cellError, 2)) + 8;
             _kernels.SetAccuracy(cellError * 2 * grid.Side * grid.Side, maxLevel, maxBisections);
-            forecast.Begin(cellError);
+            foreach (var job in now)
+                job.Begin();
             var read = new uint[outputSize];
-            long max = CellCapacity(pose);
-            for (long first = 0; first < grid.Count;)
+            long max = CellCapacity(pose), all = now.Sum(job => job.Left);
+            for (long left = all; left > 0;)
             {
                 cancel.ThrowIfCancellationRequested();
-                long left = forecast.CellsFrom(first, Math.Min(grid.Count - first, max));
-                int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (left + TileCells - 1) / TileCells),
+                long most = Math.Min(left, max);
+                int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (most + TileCells - 1) / TileCells),
                     pose.MaxBounces);
-                int count = (int)Math.Min(left, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells);
-                count = RowsOf(first, count, grid.Cells.x);
+                var slices = SlicesOf(jobs, Math.Min(most, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells));
+                int count = slices.Sum(slice => slice.Count);
                 var watch = Stopwatch.StartNew();
                 _kernels.Clear(read.Length);
-                _kernels.Trace(grid, first, count, maxLevel + 1, maxBisections);
+                _kernels.Trace(slices, maxLevel + 1, maxBisections);
                 _output.ReadBack(read, read.Length);
                 _pacer.Took(Math.Max(1, count / TileCells), watch.Elapsed.TotalSeconds);
                 if (TubeSums.HasOverflown(read))
                 {
-                    // A list was full: the slice is traced again in two.
+                    // A list was full: the slices are traced again in smaller ones.
                     max = Math.Max(1, count / 2);
                     if (count == 1)
                         throw new GlintException($"{_owner}: one cell of the grid has too many parts at this tolerance: "
@@ -258,14 +313,28 @@ namespace Glint
                     continue;
                 }
                 add(read);
-                forecast.Took(first, count, TubeSums.RaysOf(read));
-                first += count;
+                for (int i = 0; i < jobs.Length; i++)
+                    if (slices[i].Count > 0)
+                        jobs[i].Took(slices[i].Count, TubeSums.RaysOf(read, i));
+                left -= count;
                 max = Math.Min(CellCapacity(pose), max + max / 2);
-                progress?.Report((double)first / grid.Count);
+                progress?.Report((double)(all - left) / all);
             }
         }
 
-        SliceForecast NewForecast() => new SliceForecast((long)_lists * RaysAList);
+        // The next slice of each pose, cells in all at most.
+        (long First, int Count)[] SlicesOf(TubeJob[] jobs, long max)
+        {
+            var slices = new (long First, int Count)[jobs.Length];
+            double rays = (double)_lists * RaysAList;
+            int sum = 0;
+            for (int i = 0; i < jobs.Length; i++)
+            {
+                slices[i] = (jobs[i].Next, jobs[i].SliceOf(sum == 0 ? 1 : 0, max - sum, ref rays));
+                sum += slices[i].Count;
+            }
+            return slices;
+        }
 
         int ListCapacity => _lists * ListElements;
 
@@ -273,28 +342,22 @@ namespace Glint
         int CellCapacity(CrossSectionPose pose) =>
             _lists * CornerElements / pose.MaxBounces / TubeKernels.BlockCorners * TubeKernels.BlockCells;
 
-        // Of a number of cells those that make whole rows, or a part of the row begun.
-        static int RowsOf(long first, int count, int across)
-        {
-            int left = across - (int)(first % across);
-            return left < across || count < across ? Math.Min(count, left) : count / across * across;
-        }
-
         // Traces the edges, as many pieces at a time as the list of tubes holds.
-        void TraceEdges(CrossSectionPose pose, int outputSize, Action<uint[]> add, CancellationToken cancel)
+        void TraceEdges(TubeJob[] jobs, int outputSize, Action<uint[]> add, CancellationToken cancel)
         {
+            var pose = jobs[0].Pose;
             if (!pose.HasEdges || pose.OnlyBounce != 0)
                 return;
             var read = new uint[outputSize];
             // Shadow rays start clear of faces that meet at an edge up to that tolerance.
             double offset = WedgeFinder.RelativeTolerance * math.distance(_scene.Min, _scene.Max);
-            int max = ListCapacity / pose.Receivers.Length;
+            int receivers = jobs.Length * pose.Receivers.Length, max = ListCapacity / receivers;
             for (int first = 0; first < _edges.Count; first += max)
             {
                 cancel.ThrowIfCancellationRequested();
                 _kernels.Clear(read.Length);
                 int count = Math.Min(max, _edges.Count - first);
-                _kernels.TraceEdges(_edges, first, count, pose.Receivers.Length, offset);
+                _kernels.TraceEdges(_edges, first, count, receivers, offset);
                 _output.ReadBack(read, read.Length);
                 add(read);
             }

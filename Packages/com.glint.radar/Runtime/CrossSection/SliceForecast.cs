@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Glint
 {
@@ -9,15 +10,11 @@ namespace Glint
     /// </summary>
     sealed class SliceForecast
     {
-        // Rays grow with 1 / error, by this power: 0.7 to 1 on a ship.
-        const double Growth = 0.8;
+        // Rays grow with 1 / error, by this power: 0.7 to 1 on a ship. Those of a cell before the first attempt.
+        const double Growth = 0.8, UnknownRaysACell = 6;
 
-        readonly long _maxRays;
         List<(long End, double RaysACell)> _before, _now = new List<(long, double)>();
         double _error, _growth;
-
-        /// <param name="maxRays">Of a slice.</param>
-        public SliceForecast(long maxRays) => _maxRays = maxRays;
 
         /// <summary>Begins an attempt.</summary>
         /// <param name="error">That a cell may have.</param>
@@ -30,22 +27,26 @@ namespace Glint
         /// <summary>Records a slice.</summary>
         public void Took(long first, int cells, long rays) => _now.Add((first + cells, (double)rays / cells));
 
-        /// <summary>Cells of the next slice, at most <paramref name="max"/>.</summary>
-        public long CellsFrom(long first, long max)
+        /// <summary>Cells of the next slice, at most <paramref name="max"/>; takes their rays from those left.</summary>
+        public long CellsFrom(long first, long max, ref double raysLeft)
         {
-            double rays = _maxRays / _growth;
-            long at = first;
-            foreach (var (end, raysACell) in _before)
+            long at = first, end = first + max;
+            foreach (var (partEnd, raysACell) in _before.Append((long.MaxValue, UnknownRaysACell)))
             {
-                if (end <= at)
+                long cells = Math.Min(partEnd, end) - at;
+                if (cells <= 0)
                     continue;
-                double taken = (end - at) * raysACell;
-                if (taken > rays)
-                    return Math.Min(max, Math.Max(1, at - first + (long)(rays / raysACell)));
-                rays -= taken;
-                at = end;
+                double raysOfCell = Math.Max(1e-3, _growth * raysACell);
+                if (cells * raysOfCell > raysLeft)
+                {
+                    at += (long)(raysLeft / raysOfCell);
+                    raysLeft = 0;
+                    break;
+                }
+                raysLeft -= cells * raysOfCell;
+                at += cells;
             }
-            return max;
+            return at - first;
         }
     }
 }

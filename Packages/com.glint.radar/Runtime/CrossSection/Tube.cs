@@ -33,5 +33,7 @@ namespace Glint
         public uint4 Signatures;
         public float Strength, Bent;
         public uint2 Crossings;
+        public uint Pose;
+        public uint3 Unused;
     }
 }

@@ -12,11 +12,7 @@ namespace Glint
         public static readonly int _IsMoving = Shader.PropertyToID("_IsMoving");
         public static readonly int _TubeRates = Shader.PropertyToID("_TubeRates");
         public static readonly int _Reflections = Shader.PropertyToID("_Reflections");
-        public static readonly int _SentV = Shader.PropertyToID("_SentV");
-        public static readonly int _SentH = Shader.PropertyToID("_SentH");
         public static readonly int _Receivers = Shader.PropertyToID("_Receivers");
-        public static readonly int _ReceiversV = Shader.PropertyToID("_ReceiversV");
-        public static readonly int _ReceiversH = Shader.PropertyToID("_ReceiversH");
         public static readonly int _ReceiverCount = Shader.PropertyToID("_ReceiverCount");
         public static readonly int _SlotCount = Shader.PropertyToID("_SlotCount");
         public static readonly int _IsMonostatic = Shader.PropertyToID("_IsMonostatic");
@@ -26,7 +22,9 @@ namespace Glint
         public static readonly int _CellError = Shader.PropertyToID("_CellError");
         public static readonly int _FadesShadows = Shader.PropertyToID("_FadesShadows");
         public static readonly int _OnlyBounce = Shader.PropertyToID("_OnlyBounce");
-        public static readonly int _Grid = Shader.PropertyToID("_Grid");
+        public static readonly int _Poses = Shader.PropertyToID("_Poses");
+        public static readonly int _PoseCount = Shader.PropertyToID("_PoseCount");
+        public static readonly int _BaseCounts = Shader.PropertyToID("_BaseCounts");
         public static readonly int _ListCapacity = Shader.PropertyToID("_ListCapacity");
         public static readonly int _MaxLevel = Shader.PropertyToID("_MaxLevel");
         public static readonly int _MaxBisections = Shader.PropertyToID("_MaxBisections");
@@ -45,9 +43,6 @@ namespace Glint
         public static readonly int _UnitsPerSquareMetre = Shader.PropertyToID("_UnitsPerSquareMetre");
         public static readonly int _Vertices = Shader.PropertyToID("_Vertices");
         public static readonly int _VertexCount = Shader.PropertyToID("_VertexCount");
-        public static readonly int _GridX = Shader.PropertyToID("_GridX");
-        public static readonly int _GridY = Shader.PropertyToID("_GridY");
-        public static readonly int _GridDepth = Shader.PropertyToID("_GridDepth");
         public static readonly int _Sides = Shader.PropertyToID("_Sides");
         public static readonly int _SideCount = Shader.PropertyToID("_SideCount");
         public static readonly int _LinkCapacity = Shader.PropertyToID("_LinkCapacity");
@@ -57,12 +52,10 @@ namespace Glint
         public static readonly int _WrittenLinks = Shader.PropertyToID("_WrittenLinks");
         public static readonly int _SphereCount = Shader.PropertyToID("_SphereCount");
         public static readonly int _Spheres = Shader.PropertyToID("_Spheres");
-        public static readonly int _Blocks = Shader.PropertyToID("_Blocks");
         public static readonly int _MarkWords = Shader.PropertyToID("_MarkWords");
         public static readonly int _EdgePieces = Shader.PropertyToID("_EdgePieces");
         public static readonly int _EdgeRange = Shader.PropertyToID("_EdgeRange");
         public static readonly int _EdgeOffset = Shader.PropertyToID("_EdgeOffset");
-        public static readonly int _RadarPhase = Shader.PropertyToID("_RadarPhase");
         public static readonly int _TubeParts = Shader.PropertyToID("_TubeParts");
         public static readonly int _HasParts = Shader.PropertyToID("_HasParts");
         public static readonly int _Parts = Shader.PropertyToID("_Parts");

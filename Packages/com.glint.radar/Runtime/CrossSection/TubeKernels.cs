@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
@@ -13,7 +14,10 @@ namespace Glint
         public const int MaxReceivers = 16;
 
         /// <summary>Words of the output before the sums, and of each sum: TUBE_SUMS, TUBE_SUM_WORDS.</summary>
-        public const int FirstSum = 16, SumWords = 32;
+        public const int FirstSum = 80, SumWords = 32;
+
+        /// <summary>Poses of a dispatch at most: MAX_POSES.</summary>
+        public const int MaxPoses = 16;
 
         /// <summary>Words of the sums of a part: PART_WORDS.</summary>
         public const int PartWords = 16;
@@ -37,6 +41,9 @@ namespace Glint
 
         readonly ComputeShader _shader;
         readonly TubeRounds _rounds;
+        readonly DeviceBuffer<TubePose> _poses = new DeviceBuffer<TubePose>("poses");
+        readonly DeviceBuffer<float4> _receivers = new DeviceBuffer<float4>("receivers");
+        TubePose[] _slices;
         readonly int _clearMarks, _mark, _outlines, _cover, _corners, _cells, _fringes, _parts;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
@@ -68,21 +75,23 @@ namespace Glint
             }
         }
 
-        /// <summary>Sets illumination and receivers.</summary>
-        public void SetPose(CrossSectionPose pose, TubeGrid grid)
+        /// <summary>Sets illumination and receivers of poses that differ in nothing else.</summary>
+        public void SetPoses(IReadOnlyList<TubeJob> jobs)
         {
-            var rays = grid.Rays;
-            _shader.SetRays(rays);
+            var (pose, rays) = (jobs[0].Pose, jobs[0].Grid.Rays);
             _shader.SetVector(ShaderIDs._SceneCentreExtent, KernelCalls.ToVector(rays.SceneCentre, (float)rays.SceneExtent));
             _shader.SetInt(ShaderIDs._MaxBounces, pose.MaxBounces);
-
-            _shader.SetVector(TubeIDs._SentV, KernelCalls.ToVector(pose.Radar.Up));
-            _shader.SetVector(TubeIDs._SentH, KernelCalls.ToVector(pose.Radar.Right));
-            SetReceivers(_shader, pose, rays.SceneCentre);
-            _shader.SetFloat(TubeIDs._RadarPhase, (float)grid.RadarPhaseOf(pose));
-            _shader.SetInt(TubeIDs._ReceiverCount, pose.Receivers.Length);
+            _slices = jobs.Select(job => new TubePose(job.Pose, job.Grid, BlocksOf(job.Grid))).ToArray();
+            _poses.Upload(_slices);
+            _receivers.Upload(jobs.SelectMany(job => ReceiverRows(job.Pose, rays.SceneCentre)).ToArray());
+            foreach (int kernel in _rounds.Tracing.Append(_fringes))
+                _shader.SetBuffer(kernel, TubeIDs._Receivers, _receivers.Buffer);
+            foreach (int kernel in _rounds.Tracing.Concat(new[] { _fringes, _mark, _outlines, _cover }))
+                _shader.SetBuffer(kernel, TubeIDs._Poses, _poses.Buffer);
+            _shader.SetInt(TubeIDs._PoseCount, jobs.Count);
+            SetReceivers(_shader, pose);
             _shader.SetInt(TubeIDs._SlotCount, TubeSums.SlotsOf(pose));
-            _shader.SetInt(TubeIDs._SumCopies, TubeSums.CopiesOf(pose));
+            _shader.SetInt(TubeIDs._SumCopies, TubeSums.CopiesOf(pose, jobs.Count));
             bool isMonostatic =
                 pose.Receivers.Length == 1 && pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar);
             _shader.SetInt(TubeIDs._IsMonostatic, isMonostatic ? 1 : 0);
@@ -97,20 +106,26 @@ namespace Glint
             _shader.SetInt(TubeIDs._FrequencyGroups, (pose.Samples + together - 1) / together);
         }
 
-        /// <summary>Sets the receivers, and behind them the radar.</summary>
-        /// <param name="centre">Origin of the kernels' coordinates.</param>
-        public static void SetReceivers(ComputeShader shader, CrossSectionPose pose, double3 centre)
+        /// <summary>Sets what the receivers of poses have in common.</summary>
+        public static void SetReceivers(ComputeShader shader, CrossSectionPose pose)
         {
-            double3 from = pose.PhaseCentre - centre;
-            shader.SetVectorArray(TubeIDs._Receivers, Padded(pose, receiver =>
-            {
-                double3 at = pose.IsFar ? receiver.ToRadar : from + pose.Range * receiver.ToRadar;
-                return KernelCalls.ToVector(at, (float)math.length(at));
-            }));
-            shader.SetVectorArray(TubeIDs._ReceiversV, Padded(pose, receiver => KernelCalls.ToVector(receiver.Up)));
-            shader.SetVectorArray(TubeIDs._ReceiversH, Padded(pose, receiver => KernelCalls.ToVector(receiver.Right)));
+            shader.SetInt(TubeIDs._ReceiverCount, pose.Receivers.Length);
             shader.SetInt(TubeIDs._IsNear, pose.IsFar ? 0 : 1);
             shader.SetFloat(TubeIDs._Range, pose.IsFar ? 0 : (float)pose.Range);
+        }
+
+        /// <summary>The receivers, and behind them the radar: three rows of _Receivers each.</summary>
+        /// <param name="centre">Origin of the kernels' coordinates.</param>
+        public static IEnumerable<float4> ReceiverRows(CrossSectionPose pose, double3 centre)
+        {
+            double3 from = pose.PhaseCentre - centre;
+            foreach (var receiver in pose.Receivers.Append(pose.Radar))
+            {
+                double3 at = pose.IsFar ? receiver.ToRadar : from + pose.Range * receiver.ToRadar;
+                yield return TubePose.RowOf(at, math.length(at));
+                yield return TubePose.RowOf(receiver.Up);
+                yield return TubePose.RowOf(receiver.Right);
+            }
         }
 
         /// <summary>Sets the units of the sums.</summary>
@@ -175,21 +190,16 @@ namespace Glint
         /// <summary>
         /// Lists the corners and outlines of patches seen near each cell, and marks the cells in which any triangle is.
         /// </summary>
-        public void Mark(TubeGrid grid, SurfaceBuffers surfaces, DeviceBuffer<uint> marks, DeviceBuffer<uint4> links)
+        /// <param name="words">Of the marks of a pose.</param>
+        /// <param name="linkCapacity">Of a pose.</param>
+        public void Mark(int poses, int words, int linkCapacity, SurfaceBuffers surfaces, DeviceBuffer<uint> marks,
+            DeviceBuffer<uint4> links)
         {
-            var toCell = grid.ToCell();
-            _shader.SetVector(TubeIDs._GridX, KernelCalls.ToVector(toCell[0].Vector, (float)toCell[0].Constant));
-            _shader.SetVector(TubeIDs._GridY, KernelCalls.ToVector(toCell[1].Vector, (float)toCell[1].Constant));
-            _shader.SetVector(TubeIDs._GridDepth, KernelCalls.ToVector(toCell[2].Vector, (float)toCell[2].Constant));
-            int words = MarkWordsOf(grid);
-            var blocks = BlocksOf(grid);
-            _shader.SetInts(TubeIDs._Blocks, blocks.x, blocks.y, 0, 0);
             _shader.SetInt(TubeIDs._SphereCount, surfaces.SphereCount);
             _shader.SetInt(TubeIDs._MarkWords, words);
             _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
             _shader.SetInt(TubeIDs._SideCount, surfaces.SideCount);
-            _shader.SetInt(TubeIDs._LinkCapacity, LinksOf(grid, surfaces));
-            _shader.SetInts(TubeIDs._Grid, grid.Cells.x, 0, 0, 0);
+            _shader.SetInt(TubeIDs._LinkCapacity, linkCapacity);
             foreach (int kernel in new[] { _clearMarks, _mark, _outlines, _cover })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenMarks, marks.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
@@ -203,35 +213,54 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Links, links.Buffer);
             }
-            _shader.DispatchThreads(_clearMarks, words);
-            _shader.DispatchThreads(_mark, surfaces.VertexCount);
-            _shader.DispatchThreads(_outlines, surfaces.SideCount);
-            _shader.DispatchThreads(_cover, surfaces.SphereCount);
+            _shader.DispatchThreads(_clearMarks, (long)poses * words);
+            _shader.DispatchThreads(_mark, (long)poses * surfaces.VertexCount);
+            _shader.DispatchThreads(_outlines, (long)poses * surfaces.SideCount);
+            _shader.DispatchThreads(_cover, (long)poses * surfaces.SphereCount);
         }
 
         /// <inheritdoc cref="TubeRounds.Clear"/>
         public void Clear(int count) => _rounds.Clear(count);
 
-        /// <inheritdoc cref="TubeRounds.Trace"/>
-        public void Trace(TubeGrid grid, long first, int count, int rounds, int bisections) =>
-            _rounds.Trace(grid.Cells.x, first, count, rounds, bisections);
+        /// <summary>
+        /// Traces base cells of each pose, in rounds the parts of those that are divided, and sums the tubes.
+        /// </summary>
+        /// <param name="slices">Of each pose, the first cell and their number: whole rows, or a part of one.</param>
+        public void Trace((long First, int Count)[] slices, int rounds, int bisections)
+        {
+            int cells = 0, corners = 0;
+            for (int i = 0; i < slices.Length; i++)
+            {
+                int count = slices[i].Count, across = Math.Max(1, Math.Min(count, (int)_slices[i].Cells.x));
+                _slices[i].Slice = new uint4((uint)slices[i].First, (uint)count, (uint)across, (uint)cells);
+                _slices[i].FirstCorner = (uint)corners;
+                cells += count;
+                corners += CornersOf(count, across);
+            }
+            _poses.Upload(_slices);
+            _shader.SetInts(TubeIDs._BaseCounts, cells, corners);
+            _rounds.Trace(cells, corners, rounds, bisections);
+        }
+
+        static int CornersOf(int cells, int across) => cells == 0 ? 0 : (across + 1) * (cells / across + 1);
 
         /// <summary>Sums the fringe fields of pieces of edges.</summary>
         /// <param name="offset">Of the starts of shadow rays from their edges, metres.</param>
-        public void TraceEdges(EdgeBuffers edges, int first, int count, int receivers, double offset)
+        /// <param name="poses">Times receivers.</param>
+        public void TraceEdges(EdgeBuffers edges, int first, int count, int poses, double offset)
         {
             _shader.SetBuffer(_fringes, TubeIDs._EdgePieces, edges.Pieces.Buffer);
             _shader.SetInts(TubeIDs._EdgeRange, first, count, 0, 0);
             _shader.SetFloat(TubeIDs._EdgeOffset, (float)offset);
-            _shader.DispatchThreads(_fringes, (long)count * receivers);
+            _shader.DispatchThreads(_fringes, (long)count * poses);
             _rounds.Sum();
         }
 
-        public void Dispose() => _rounds.Dispose();
-
-        // The receivers, and the radar behind MaxReceivers of them.
-        static Vector4[] Padded(CrossSectionPose pose, Func<RadarAspect, Vector4> value) =>
-            pose.Receivers.Select(value).Concat(Enumerable.Repeat(Vector4.zero, MaxReceivers - pose.Receivers.Length))
-                .Append(value(pose.Radar)).ToArray();
+        public void Dispose()
+        {
+            _rounds.Dispose();
+            _poses.Dispose();
+            _receivers.Dispose();
+        }
     }
 }

@@ -105,20 +105,19 @@ namespace Glint
         }
 
         /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
-        public void Trace(int cellsAcross, long first, int count, int rounds, int bisections)
+        /// <param name="count">Of the base cells.</param>
+        /// <param name="corners">Of their corners, if a kernel takes them.</param>
+        public void Trace(int count, int corners, int rounds, int bisections)
         {
-            // Whole rows, or a part of one.
-            int across = Math.Min(count, cellsAcross);
-            _shader.SetInts(TubeIDs._Grid, cellsAcross, (int)first, count, across);
             for (int round = 0; round < rounds; round++)
             {
                 _shader.SetInt(TubeIDs._Round, round);
-                if (_corners is int corners)
+                if (_corners is int kernel)
                 {
                     if (round == 0)
-                        _shader.DispatchThreads(corners, (across + 1L) * (count / across + 1));
+                        _shader.DispatchThreads(kernel, corners);
                     else
-                        _shader.DispatchIndirect(corners, _arguments, CornerArguments);
+                        _shader.DispatchIndirect(kernel, _arguments, CornerArguments);
                 }
                 if (round == 0)
                     _shader.DispatchThreads(_cells, count);

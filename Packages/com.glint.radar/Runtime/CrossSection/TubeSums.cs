@@ -9,10 +9,16 @@ namespace Glint
     sealed class TubeSums
     {
         /// <summary>Words of the output.</summary>
-        public const int Count = 0, Overflow = 3, RayCount = 4, BorderRayCount = 5;
+        public const int Count = 0, Overflow = 3;
+
+        /// <summary>Counts of each pose, and words of those of a pose.</summary>
+        public const int FirstPose = 16, PoseWords = 4, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2;
 
         /// <summary>Sums of a receiver and sample, two words each, and the word after them.</summary>
         public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
+
+        /// <summary>Slots of all poses of a dispatch: Tube.Tag has eight bits for them.</summary>
+        public const int MaxSlots = 256;
 
         // Sums of a copy that make further copies needless: threads then add to many words.
         const int SpreadSums = 32;
@@ -40,15 +46,19 @@ namespace Glint
             (pose.Scene.Seas.Count > 0 ? 2 : 1) * pose.Receivers.Length;
 
         /// <summary>Copies of the sums in the output.</summary>
-        public static int CopiesOf(CrossSectionPose pose) =>
-            (SpreadSums - 1) / (SlotsOf(pose) * pose.Samples) + 1;
+        public static int CopiesOf(CrossSectionPose pose, int poses) =>
+            (SpreadSums - 1) / (poses * SlotsOf(pose) * pose.Samples) + 1;
 
         /// <summary>Words of the output, copies included.</summary>
-        public static int OutputSize(CrossSectionPose pose) =>
-            TubeKernels.FirstSum + TubeKernels.SumWords * CopiesOf(pose) * SlotsOf(pose) * pose.Samples;
+        public static int OutputSize(CrossSectionPose pose, int poses) => TubeKernels.FirstSum
+            + TubeKernels.SumWords * CopiesOf(pose, poses) * poses * SlotsOf(pose) * pose.Samples;
 
-        /// <summary>Rays of an output.</summary>
-        public static long RaysOf(uint[] output) => (long)output[RayCount] + output[BorderRayCount];
+        /// <summary>Rays of a pose in an output.</summary>
+        public static long RaysOf(uint[] output, int number)
+        {
+            int first = FirstPose + PoseWords * number;
+            return (long)output[first + PoseRays] + output[first + PoseBorderRays];
+        }
 
         /// <summary>Rays traced.</summary>
         public long Rays { get; private set; }
@@ -66,19 +76,24 @@ namespace Glint
         public static bool HasOverflown(uint[] output) => output[Overflow] != 0;
 
         /// <summary>Adds a slice.</summary>
+        /// <param name="number">Of the pose in the dispatch.</param>
+        /// <param name="poses">Of the dispatch.</param>
         /// <exception cref="GlintException">A contribution is too large for a sum.</exception>
-        public void Add(uint[] output, string owner)
+        public void Add(uint[] output, int number, int poses, string owner)
         {
-            _tubes += output[Count];
-            Rays += RaysOf(output);
-            int count = _sums.Length * CopiesOf(_pose);
+            _tubes += output[FirstPose + PoseWords * number + PoseTubes];
+            Rays += RaysOf(output, number);
+            int count = _sums.Length * CopiesOf(_pose, poses);
             for (int i = 0; i < count; i++)
             {
-                int first = TubeKernels.FirstSum + i / SumCount * TubeKernels.SumWords;
+                // Copies hold the sums of all poses.
+                int copy = i / _sums.Length, sum = i % _sums.Length;
+                int first = TubeKernels.FirstSum
+                    + ((copy * poses + number) * (_sums.Length / SumCount) + sum / SumCount) * TubeKernels.SumWords;
                 if (output[first + TooLarge] != 0)
                     throw new GlintException($"{owner}: a contribution to the cross section is not finite or too large: "
                         + "the mesh may have coordinates that float32 does not resolve");
-                _sums[i % _sums.Length] += At(output, first + 2 * (i % SumCount));
+                _sums[sum] += At(output, first + 2 * (sum % SumCount));
             }
         }
 

@@ -13,6 +13,7 @@ namespace Glint
 
         const int PointLandings = 2;       // POINT_LANDINGS in Shaders/AmplitudePath.hlsl, of two words each
 
+        static readonly int s_grid = Shader.PropertyToID("_Grid");
         static readonly int s_pictureStart = Shader.PropertyToID("_PictureStart");
         static readonly int s_pictureStep = Shader.PropertyToID("_PictureStep");
         static readonly int s_aside = Shader.PropertyToID("_Aside");
@@ -72,6 +73,7 @@ namespace Glint
             _shader.SetFloat(TubeIDs._WaveNumber, waveNumber);
             // One receiver, one frequency.
             _shader.SetInt(TubeIDs._ReceiverCount, 1);
+            _shader.SetInt(TubeIDs._PoseCount, 1);
             _shader.SetInt(TubeIDs._SlotCount, 1);
             _shader.SetInt(TubeIDs._SumCopies, 1);
             _shader.SetInt(TubeIDs._FrequencyCount, 1);
@@ -112,9 +114,9 @@ namespace Glint
         {
             int across = grid.Count.x, first = firstRow * across, count = rows * across;
             _shader.SetInt(s_emptyLevel, emptyLevel);
-            _shader.SetInts(TubeIDs._Grid, across, first, count, 0);
+            _shader.SetInts(s_grid, across, first, count, 0);
             _shader.DispatchThreads(_corners, (across + 1) * (rows + 1));
-            Rounds.Trace(across, first, count, rounds, bisections);
+            Rounds.Trace(count, 0, rounds, bisections);
         }
 
         public void Dispose() => Rounds.Dispose();

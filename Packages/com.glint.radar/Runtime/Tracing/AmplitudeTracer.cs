@@ -272,7 +272,7 @@ namespace Glint
                 _bentQuadrature += At(Bent + 2);
                 _squares += At(Border);
                 Revealed += output[RevealedCount];
-                _rays += TubeSums.RaysOf(output);
+                _rays += TubeSums.RaysOf(output, 0);
                 _hits += At(Hits);
                 _bounces += At(Bounces);
                 _received += At(Received);

@@ -1,0 +1,92 @@
+using System;
+using Glint.Core;
+
+namespace Glint
+{
+    /// <summary>A pose that is traced, beside others, in attempts with ever smaller errors of cells.</summary>
+    sealed class TubeJob
+    {
+        readonly SliceForecast _forecast = new SliceForecast();
+        long _raysBefore;
+
+        public TubeJob(CrossSectionPose pose, TubeGrid grid)
+        {
+            (Pose, Grid) = (pose, grid);
+            Edges = new TubeSums(pose, grid);
+        }
+
+        public CrossSectionPose Pose { get; }
+
+        public TubeGrid Grid { get; }
+
+        /// <summary>The edges: the same for every attempt.</summary>
+        public TubeSums Edges { get; }
+
+        /// <summary>Of the attempt.</summary>
+        public TubeSums Sums { get; private set; }
+
+        /// <summary>Error that a cell may have, as a fraction of what a conducting plate of a base cell returns.</summary>
+        public double CellError { get; private set; }
+
+        /// <summary>First cell of the next slice.</summary>
+        public long Next { get; private set; }
+
+        /// <summary>Cells of the attempt that are not traced yet.</summary>
+        public long Left => Grid.Count - Next;
+
+        /// <summary>Of the last attempt.</summary>
+        public CrossSectionResult Result { get; private set; }
+
+        /// <summary>Whether no attempt follows.</summary>
+        public bool IsDone { get; set; }
+
+        /// <summary>Plans an attempt.</summary>
+        public void Plan(double cellError)
+        {
+            CellError = cellError;
+            Next = Grid.Count;
+        }
+
+        /// <summary>Begins the attempt.</summary>
+        public void Begin()
+        {
+            Sums = new TubeSums(Pose, Grid);
+            Next = 0;
+            _forecast.Begin(CellError);
+        }
+
+        /// <summary>Cells of the next slice; takes their rays from those left.</summary>
+        /// <param name="atLeast">Cells, however many rays they take.</param>
+        /// <param name="max">Cells.</param>
+        public int SliceOf(long atLeast, long max, ref double raysLeft)
+        {
+            long count = _forecast.CellsFrom(Next, Math.Min(Left, max), ref raysLeft);
+            return RowsOf(Math.Max(Math.Min(Left, atLeast), count));
+        }
+
+        // Of a number of cells those that make whole rows, or a part of the row begun.
+        int RowsOf(long count)
+        {
+            int across = Grid.Cells.x, left = across - (int)(Next % across);
+            return (int)(left < across || count < across ? Math.Min(count, left) : count / across * across);
+        }
+
+        /// <summary>Ends a slice.</summary>
+        public void Took(int count, long rays)
+        {
+            _forecast.Took(Next, count, rays);
+            Next += count;
+        }
+
+        /// <summary>Ends the attempt.</summary>
+        public CrossSectionResult End()
+        {
+            Sums.Add(Edges);
+            Result = Sums.ToResult();
+            Result.CellError = CellError;
+            _raysBefore += Result.Rays;
+            Result.Rays = _raysBefore + Edges.Rays;
+            return Result;
+        }
+    }
+}

@@ -1,0 +1,43 @@
+using System.Runtime.InteropServices;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    // GLINT_TUBE_POSE: Shaders/TubeBindings.hlsl, where the fields are explained.
+    [StructLayout(LayoutKind.Sequential)]
+    struct TubePose
+    {
+        public float4 Origin, OriginDx, OriginDy, Direction, DirectionDx, DirectionDy, SentV, SentH, GridX, GridY, GridDepth;
+        public uint4 Slice;
+        public uint2 Cells, Blocks;
+        public float2 Reference;
+        public uint FirstCorner;
+        public float OriginDepth, RadarPhase;
+        public uint3 Unused;
+
+        /// <summary>A pose of which no cell is traced.</summary>
+        /// <param name="blocks">Of the cover.</param>
+        public TubePose(CrossSectionPose pose, TubeGrid grid, int2 blocks)
+        {
+            this = default;
+            var rays = grid.Rays;
+            (Origin, OriginDx, OriginDy) = (RowOf(rays.Origin), RowOf(rays.OriginDx), RowOf(rays.OriginDy));
+            (Direction, DirectionDx, DirectionDy) =
+                (RowOf(rays.Direction), RowOf(rays.DirectionDx), RowOf(rays.DirectionDy));
+            (SentV, SentH) = (RowOf(pose.Radar.Up), RowOf(pose.Radar.Right));
+            var toCell = grid.ToCell();
+            GridX = RowOf(toCell[0].Vector, toCell[0].Constant);
+            GridY = RowOf(toCell[1].Vector, toCell[1].Constant);
+            GridDepth = RowOf(toCell[2].Vector, toCell[2].Constant);
+            Slice.z = 1;
+            (Cells, Blocks) = ((uint2)grid.Cells, (uint2)blocks);
+            Reference = new float2(rays.ReferencePixel.x, rays.ReferencePixel.y);
+            OriginDepth = (float)rays.OriginDepth;
+            RadarPhase = (float)grid.RadarPhaseOf(pose);
+        }
+
+        /// <summary>A row of a vector and a number.</summary>
+        public static float4 RowOf(double3 vector, double w = 0) => new float4((float3)vector, (float)w);
+    }
+}
