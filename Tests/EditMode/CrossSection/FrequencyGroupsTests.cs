@@ -21,7 +21,8 @@ namespace Glint.Tests
         [Test]
         public void Conductors_ShareWithinATenth()
         {
-            var groups = GroupsOf(new[] { 1e9, 1.05e9, 1.09e9, 1.11e9, 1.2e9, 1.3e9 }, SurfaceMaterial.PerfectConductor);
+            var groups = GroupsOf(new[] { 1e9, 1.05e9, 1.09e9, 1.11e9, 1.2e9, 1.3e9 },
+                SurfaceMaterial.PerfectConductor);
             Assert.That(Enumerable.Range(0, 6).Select(groups.FirstOf), Is.EqualTo(new[] { 0, 0, 0, 3, 3, 5 }));
             Assert.That(groups.Count, Is.EqualTo(3));
         }

@@ -123,8 +123,8 @@ namespace Glint.Tests
         public void Finish_Rows_TakeALineEachOfTheJson()
         {
             Sweep(SampleRun.Row(0), SampleRun.Miss(1));
-            var lines = File.ReadAllLines(Path.Combine(_path, "results.json")).SkipWhile(line => line != "  \"rows\": [")
-                .ToArray();
+            var lines = File.ReadAllLines(Path.Combine(_path, "results.json"))
+                .SkipWhile(line => line != "  \"rows\": [").ToArray();
             Assert.That(lines.Length, Is.EqualTo(5), "two rows, their brackets, and the end");
             Assert.That((double)JObject.Parse(lines[1].TrimEnd(','))["angle_deg"], Is.EqualTo(0));
         }

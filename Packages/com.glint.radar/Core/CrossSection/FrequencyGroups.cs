@@ -48,7 +48,7 @@ namespace Glint.Core
         /// <summary>The frequency of a group's coefficients, hertz.</summary>
         public static double MiddleOf(double lowest, double highest) => 0.5 * (lowest + highest);
 
-        // The search takes the coefficients of few groups; where a layer resonates, it may miss a longer one.
+        // By halves: where coefficients come back to what they were, a longer group is missed.
         int LastOf(int first)
         {
             int last = first, end = first;
@@ -69,7 +69,7 @@ namespace Glint.Core
     /// <summary>The reflection coefficients of a material over a list of frequencies.</summary>
     sealed class CoefficientBand
     {
-        // Differences of the cosine at which coefficients are compared: between two of them they are smooth.
+        // Intervals of the cosine of incidence: coefficients are compared at their ends, and smooth between them.
         const int Steps = 128;
 
         // Coefficient below which errors are relative to this one: 40 dB below a conductor.
