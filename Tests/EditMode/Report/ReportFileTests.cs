@@ -83,12 +83,12 @@ namespace Glint.Tests
                 Does.Contain(Path.Combine(_path, "results.json")).And.Contain(expected).And.Not.Contain("\n"));
         }
 
-        [TestCase("\"angle_deg\": 0", "\"angle_deg\": \"x\"", "angle_deg of a row is not a number")]
-        [TestCase("\"amplitude\": 5", "\"amplitude\": null", "amplitude of a row is not a number")]
-        [TestCase("\"amplitude\": 5", "\"amplitude\": Infinity", "not finite")]
-        [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": [NaN,", "not finite")]
-        [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": 5, \"others\": [0,", "phase_histogram of a row is no list")]
-        [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": [[],", "results.json")]
+        [TestCase("\"angle_deg\":0", "\"angle_deg\": \"x\"", "angle_deg of a row is not a number")]
+        [TestCase("\"amplitude\":5", "\"amplitude\": null", "amplitude of a row is not a number")]
+        [TestCase("\"amplitude\":5", "\"amplitude\": Infinity", "not finite")]
+        [TestCase("\"phase_histogram\":[0,", "\"phase_histogram\": [NaN,", "not finite")]
+        [TestCase("\"phase_histogram\":[0,", "\"phase_histogram\": 5, \"others\": [0,", "phase_histogram of a row is no list")]
+        [TestCase("\"phase_histogram\":[0,", "\"phase_histogram\": [[],", "results.json")]
         [TestCase("\"versions\": {", "\"versions\": 7, \"others\": {", "it has no glint")]
         public void Run_OfADamagedRow_IsRefusedByName(string before, string after, string expected)
         {

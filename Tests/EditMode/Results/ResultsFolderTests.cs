@@ -120,6 +120,16 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Finish_Rows_TakeALineEachOfTheJson()
+        {
+            Sweep(SampleRun.Row(0), SampleRun.Miss(1));
+            var lines = File.ReadAllLines(Path.Combine(_path, "results.json"))
+                .SkipWhile(line => line != "  \"rows\": [").ToArray();
+            Assert.That(lines.Length, Is.EqualTo(5), "two rows, their brackets, and the end");
+            Assert.That((double)JObject.Parse(lines[1].TrimEnd(','))["angle_deg"], Is.EqualTo(0));
+        }
+
+        [Test]
         public void Finish_Run_IsDescribed()
         {
             Sweep(SampleRun.Row(0), SampleRun.Row(1));

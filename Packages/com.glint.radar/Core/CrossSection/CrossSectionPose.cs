@@ -43,6 +43,9 @@ namespace Glint.Core
         /// <summary>Hertz, in ascending order.</summary>
         public double[] Frequencies { get; set; }
 
+        /// <summary>The frequency of the reflection coefficients, hertz: the middle of the frequencies.</summary>
+        public double CoefficientFrequency => FrequencyGroups.MiddleOf(Frequencies[0], Frequencies.Last());
+
         /// <summary>
         /// Middle of the band that the frequencies are of, hertz: the speckle of a sea is the same over the band. Null:
         /// each frequency has its own.

@@ -30,7 +30,7 @@ namespace Glint.Core
 
         /// <inheritdoc/>
         public void Add(string name, int[] sizes, IEnumerable<Complex> values) =>
-            Write(name, "<c16", sizes, values.SelectMany(value => new[] { value.Real, value.Imaginary }));
+            Write(name, "<c16", sizes, PartsOf(values));
 
         /// <summary>The arrays of real numbers in an archive that was written so, by their names.</summary>
         /// <exception cref="IOException">It cannot be read.</exception>
@@ -58,6 +58,15 @@ namespace Glint.Core
 
         /// <summary>Ends the archive.</summary>
         public void Dispose() => _zip.Dispose();
+
+        static IEnumerable<double> PartsOf(IEnumerable<Complex> values)
+        {
+            foreach (var value in values)
+            {
+                yield return value.Real;
+                yield return value.Imaginary;
+            }
+        }
 
         void Write(string name, string type, int[] sizes, IEnumerable<double> numbers)
         {

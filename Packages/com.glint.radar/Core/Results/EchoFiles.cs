@@ -67,15 +67,26 @@ namespace Glint.Core
             {
                 text.WriteLine(string.Join(",", s_keys.Select(column => column.Name).Concat(places).Concat(
                     sources.SelectMany(source => Polarisation.All.Select(each => $"{each}_{source.unit}")))));
+                string[] placesOfCells = null;
                 for (int direction = 0; direction < echo.Directions; direction++)
                 {
                     string key = KeyOf(echo, direction);
                     var levels = sources.SelectMany(source => Polarisation.All.Select(each =>
                         cellsOf(direction, each, source.values))).ToArray();
                     int cells = levels.First(each => each != null).Length;
+                    placesOfCells ??= Enumerable.Range(0, cells).Select(placeOf).ToArray();
                     for (int cell = 0; cell < cells; cell++)
-                        text.WriteLine($"{key},{placeOf(cell)},"
-                            + string.Join(",", levels.Select(each => Level(each, cell))));
+                    {
+                        text.Write(key);
+                        text.Write(',');
+                        text.Write(placesOfCells[cell]);
+                        foreach (var each in levels)
+                        {
+                            text.Write(',');
+                            text.Write(Level(each, cell));
+                        }
+                        text.WriteLine();
+                    }
                 }
             }
         }

@@ -61,8 +61,14 @@ namespace Glint.Core
         /// <summary>Every table.</summary>
         public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo, Clutter, Screen };
 
-        ResultTable(string name, string csvName, IReadOnlyList<ResultColumn> columns) =>
+        readonly ResultColumn[] _optional, _required;
+
+        ResultTable(string name, string csvName, IReadOnlyList<ResultColumn> columns)
+        {
             (Name, CsvName, Columns) = (name, csvName, columns);
+            _optional = columns.Where(column => column.IsOptional).ToArray();
+            _required = columns.Where(column => !column.IsOptional).ToArray();
+        }
 
         /// <summary>Name of the command that writes it.</summary>
         public string Name { get; }
@@ -77,13 +83,12 @@ namespace Glint.Core
         public IReadOnlyList<ResultColumn> Columns { get; }
 
         /// <summary>The columns of the files of rows: optional ones if a row has a value of any.</summary>
-        internal IReadOnlyList<ResultColumn> ColumnsOf(IEnumerable<StoredRow> rows)
-        {
-            var optional = Columns.Where(column => column.IsOptional).ToArray();
-            return optional.Length == 0 || rows.Any(row => optional.Any(column => row[column] != null))
-                ? Columns
-                : Columns.Where(column => !column.IsOptional).ToArray();
-        }
+        internal IReadOnlyList<ResultColumn> ColumnsOf(IEnumerable<StoredRow> rows) =>
+            rows.Any(row => ColumnsOf(row) == Columns) ? Columns : _required;
+
+        /// <summary>The columns of a row: optional ones if it has a value of any.</summary>
+        internal IReadOnlyList<ResultColumn> ColumnsOf(StoredRow row) =>
+            Array.Exists(_optional, column => row[column] != null) ? Columns : _required;
 
         /// <summary>Whether each row has timings.</summary>
         public bool HasTimings { get; private set; }

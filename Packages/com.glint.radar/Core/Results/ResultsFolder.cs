@@ -161,7 +161,7 @@ namespace Glint.Core
             if (_csv == null)
                 Create();
             // Those of the first row, since all rows have an echo or none has.
-            var columns = _table.ColumnsOf(_rows.Take(1).DefaultIfEmpty(row));
+            var columns = _table.ColumnsOf(_rows.Count == 0 ? row : _rows[0]);
             Write(_sweep == null ? "" : ResultsJson.Line(row, _table) + "\n",
                 (_rows.Count == 0 ? Csv(columns) : "") + row.ToCsv(columns));
             _rows.Add(row);
@@ -188,11 +188,8 @@ namespace Glint.Core
                     foreach (var whole in _table.WholeFiles.Where(whole => whole.IsWanted(info, _rows)))
                         Try($"{PathOf(whole)}: cannot be written ({CsvPath} is complete)",
                             () => Replace(PathOf(whole), file => whole.Write(file, info, _rows)));
-                var text = new StringWriter { NewLine = "\n" };
-                ResultsJson.Write(text, info, _rows, _table);
-                var bytes = Utf8.GetBytes(text.ToString());
                 Try($"{JsonPath}: cannot be written ({CsvPath} is complete)",
-                    () => Replace(JsonPath, file => file.Write(bytes, 0, bytes.Length)));
+                    () => Replace(JsonPath, file => WriteJson(file, info)));
                 Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
             }
             finally
@@ -356,6 +353,12 @@ namespace Glint.Core
             {
                 Dispose();
             }
+        }
+
+        void WriteJson(Stream file, RunInfo info)
+        {
+            using (var text = new StreamWriter(file, Utf8, 1 << 16) { NewLine = "\n" })
+                ResultsJson.Write(text, info, _rows, _table);
         }
 
         static void Replace(string path, Action<Stream> write)

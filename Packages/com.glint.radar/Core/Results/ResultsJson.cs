@@ -189,30 +189,29 @@ namespace Glint.Core
         void WriteRow(StoredRow row)
         {
             _json.WriteStartObject();
-            foreach (var column in _table.ColumnsOf(new[] { row }))
-                Raw(column.Name, row.Cell(column));
-            if (_table.HasTimings)
-                WriteTimings(new[] { row });
-            if (row.PhaseHistogram != null)
-                WriteHistogram(row.PhaseHistogram);
-            if (row.Contributions != null)
+            OnOneLine(() =>
             {
-                _json.WritePropertyName(ContributionsJson.Name);
-                OnOneLine(() => ContributionsJson.Write(_json, row.Contributions));
-            }
-            _json.WriteEndObject();
+                foreach (var column in _table.ColumnsOf(row))
+                    Raw(column.Name, row.Cell(column));
+                if (_table.HasTimings)
+                    WriteTimings(new[] { row });
+                if (row.PhaseHistogram != null)
+                    WriteHistogram(row.PhaseHistogram);
+                if (row.Contributions != null)
+                {
+                    _json.WritePropertyName(ContributionsJson.Name);
+                    ContributionsJson.Write(_json, row.Contributions);
+                }
+                _json.WriteEndObject();
+            });
         }
 
-        // A bin a line would bury the rows.
         void WriteHistogram(IReadOnlyList<int> bins)
         {
             Open("phase_histogram", array: true);
-            OnOneLine(() =>
-            {
-                foreach (int bin in bins)
-                    _json.WriteValue(bin);
-                _json.WriteEndArray();
-            });
+            foreach (int bin in bins)
+                _json.WriteValue(bin);
+            _json.WriteEndArray();
         }
 
         void OnOneLine(Action write)

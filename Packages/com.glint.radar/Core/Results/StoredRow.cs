@@ -97,8 +97,7 @@ namespace Glint.Core
         /// <summary>
         /// The line of results.csv with some columns. The shortest text of a number is the one that was read.
         /// </summary>
-        internal string ToCsv(IEnumerable<ResultColumn> columns) =>
-            string.Join(",", columns.Select(column => Cell(column))) + "\n";
+        internal string ToCsv(IEnumerable<ResultColumn> columns) => string.Join(",", columns.Select(Cell)) + "\n";
 
         /// <summary>The value as a text; null where there is none.</summary>
         internal string Cell(ResultColumn column) => this[column] is double value ? Numbers.Format(value) : null;

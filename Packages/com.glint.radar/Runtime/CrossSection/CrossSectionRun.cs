@@ -9,19 +9,16 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers in the far field and, if all surfaces
-    /// are perfect conductors, of neighbouring frequencies.
+    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers in the far field and of neighbouring
+    /// frequencies (<see cref="FrequencyGroups"/>).
     /// </summary>
     public sealed class CrossSectionRun : IDisposable
     {
-        // Of the frequencies of a trace: the width of its shadow edges, of the highest one, is right within 3 %.
-        const double MaxFrequencyRatio = 1.1;
-
         readonly CrossSectionSetup _setup;
         readonly ResultsFolder _folder;
         readonly CrossSectionTracer _tracer;
         readonly int _first;
-        readonly int[] _firstFrequencies; // of the trace of each frequency
+        readonly FrequencyGroups _groups;
         readonly int _receiversOfTrace;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
@@ -51,7 +48,7 @@ namespace Glint
             int rows = setup.Plan.Count;
             _first = shard?.First(rows) ?? 0;
             Count = (shard?.End(rows) ?? rows) - _first;
-            _firstFrequencies = DivideFrequencies(setup);
+            _groups = new FrequencyGroups(setup.Plan.Frequencies, setup.UsedMaterials(), setup.MaxCoefficientError);
             _receiversOfTrace = double.IsPositiveInfinity(setup.Range) ? TubeKernels.MaxReceivers : 1;
             if (folder != null)
             {
@@ -70,6 +67,9 @@ namespace Glint
         /// <summary>Number of rows done, including those before a resumption.</summary>
         public int Done { get; private set; }
 
+        /// <summary>Number of poses traced, without contributions and what was done before a resumption.</summary>
+        public int Traces { get; private set; }
+
         /// <summary>True if all rows are done.</summary>
         public bool IsComplete => Done == Count;
 
@@ -86,12 +86,13 @@ namespace Glint
             if (planned.Pose != _pose)
                 _traces.Clear();
             _pose = planned.Pose;
-            int frequency = _firstFrequencies[planned.FrequencyIndex];
+            int frequency = _groups.FirstOf(planned.FrequencyIndex);
             int receiver = planned.Receiver / _receiversOfTrace * _receiversOfTrace;
             if (!_traces.TryGetValue((frequency, receiver), out var traced))
             {
                 var made = PoseOf(planned, frequency, receiver);
                 _traces.Add((frequency, receiver), traced = (made, _tracer.Trace(made, progress, cancel)));
+                Traces++;
             }
             var (pose, trace) = traced;
             var row = RowOf(planned, trace, planned.Receiver - receiver,
@@ -119,22 +120,8 @@ namespace Glint
             int receivers = Math.Min(_receiversOfTrace, plan.Receivers - receiver);
             int row = _first + Done - planned.Receiver;
             var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[row + i].ReceiverAspect).ToArray();
-            var frequencies = plan.Frequencies.Where((_, i) => _firstFrequencies[i] == frequency).ToArray();
+            var frequencies = plan.Frequencies.Where((_, i) => _groups.FirstOf(i) == frequency).ToArray();
             return _setup.PoseOf(planned, aspects, frequencies);
-        }
-
-        static int[] DivideFrequencies(CrossSectionSetup setup)
-        {
-            // The device has reflection coefficients of one frequency.
-            bool areConductors = setup.UsedMaterials().All(material => material.IsConductor);
-            var frequencies = setup.Plan.Frequencies;
-            var firsts = new int[frequencies.Count];
-            for (int i = 1; i < firsts.Length; i++)
-            {
-                int first = firsts[i - 1];
-                firsts[i] = areConductors && frequencies[i] <= MaxFrequencyRatio * frequencies[first] ? first : i;
-            }
-            return firsts;
         }
 
         CrossSectionRow RowOf(in PlannedCrossSection planned, CrossSectionResult trace, int receiver, int sample) =>

@@ -15,6 +15,12 @@ namespace Glint
         // Largest error of a phase, rad, whatever the tolerance.
         const double MaxPhaseError = 0.12;
 
+        // Of the error that the tolerance allows: what a reflection coefficient may be off by.
+        const double CoefficientPart = 0.1;
+
+        // And at most over a band: range profiles are then within 60 dB below an echo for each of its bounces.
+        const double MaxBandError = 1e-3;
+
         readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
 
@@ -185,6 +191,10 @@ namespace Glint
         /// <summary>The frequency up to which phases in float32 suffice for a tolerance, hertz.</summary>
         internal double MaxFrequency(double toleranceDb) =>
             Math.Min(MaxPhaseError, CrossSectionAccuracy.AllowedBy(toleranceDb)) / PhaseError(1);
+
+        /// <summary>Relative error that reflection coefficients may have where frequencies share a trace.</summary>
+        internal double MaxCoefficientError => Math.Min(CoefficientPart * CrossSectionAccuracy.AllowedBy(ToleranceDb),
+            Echo == null ? double.PositiveInfinity : MaxBandError);
 
         /// <summary>Materials of triangles.</summary>
         internal IReadOnlyList<SurfaceMaterial> UsedMaterials() => Scene.Instances

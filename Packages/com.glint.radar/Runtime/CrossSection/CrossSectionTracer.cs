@@ -244,7 +244,7 @@ namespace Glint
             if (_scene.IsEmpty)
                 return;
             _scene.RequireOnePage(_owner, "a cross section takes");
-            _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.Frequencies.Last());
+            _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.CoefficientFrequency);
             if (pose.HasEdges)
                 _edges.Set(pose.Scene, _surfaces.Patches, _surfaces.Parts, _scene.Centre,
                     TubeGrid.EdgePieceFor(pose));

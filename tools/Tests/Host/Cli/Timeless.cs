@@ -20,5 +20,5 @@ static class Timeless
 
     public static string Json(string folder) =>
         Regex.Replace(File.ReadAllText(Path.Combine(folder, "results.json")),
-            "\"([a-z_]+_ms|started_utc)\": [^\n]*", "\"$1\"");
+            "\"([a-z_]+_ms|started_utc)\": ?[^\n,}]*", "\"$1\"");
 }
