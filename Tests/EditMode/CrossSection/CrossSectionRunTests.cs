@@ -79,6 +79,22 @@ namespace Glint.Tests
                 Assert.That((profile[cell] - exact[cell]).Magnitude, Is.LessThan(1e-3 * peak), $"cell {cell}");
         }
 
+        // 3 directions, 2 groups of frequencies, 2 receivers: a trace gives the rows of a group and both receivers.
+        [Test, Timeout(60000)]
+        public void RunAhead_HasTheRowsOfOneDirectionAtATime()
+        {
+            var scene = new RadarScene(CrossSectionTargets.Box(Width, Height, 0.05));
+            var plan = new CrossSectionPlan(new[] { 0.0, 20, 33 }, new[] { 5.0 }, new[] { TenGigahertz, 2 * TenGigahertz },
+                receiverAzimuths: new[] { 0.0, 90 }, receiverElevation: 5);
+            var setup = new CrossSectionSetup(scene, plan) { ToleranceDb = 1 };
+            string[] RowsOf(int posesTogether)
+            {
+                using (var run = new CrossSectionRun(setup, TestKernels.Tubes, posesTogether: posesTogether))
+                    return Enumerable.Range(0, run.Count).Select(_ => run.Step().ToString()).Append($"{run.Traces}").ToArray();
+            }
+            Assert.That(RowsOf(2), Is.EqualTo(RowsOf(1)));
+        }
+
         (CrossSectionRow[] rows, int traces) Rows(CrossSectionSetup setup)
         {
             using (var run = new CrossSectionRun(setup, TestKernels.Tubes))

@@ -28,6 +28,33 @@ namespace Glint.Tests
             }
         }
 
+        // Poses of one dispatch share its lists, marks and sums, and end after different numbers of attempts. The fourth has
+        // another number of receivers, and is traced alone.
+        [Test, Timeout(60000)]
+        public void Trace_ManyPoses_AreThoseOfSingleOnesBitForBit([Values(0, 500)] int cells)
+        {
+            var mesh = CrossSectionTargets.Trihedral(0.2, CrossSectionTargets.TrihedralFace.Square);
+            var poses = new[] { (35.0, 30.0), (0, 0), (-70, 12), (20, 5), (44, 44) }
+                .Select(at => PoseOf(mesh, at.Item1, at.Item2)).ToArray();
+            foreach (var pose in poses)
+                (pose.Scene, pose.ToleranceDb) = (poses[0].Scene, 0.02);
+            poses[3].Receivers = new[] { poses[3].Radar, poses[4].Radar };
+            var expected = poses.Select(pose => Tracer.Trace(pose)).ToArray();
+            Assert.That(expected.Select(result => result.CellError).Distinct().Count(), Is.GreaterThan(1), "attempts");
+            (Tracer.PosesTogether, Tracer.CellsADispatch) = (4, cells);
+            var results = Tracer.Trace(poses);
+            (Tracer.PosesTogether, Tracer.CellsADispatch) = (1, 0);
+            for (int i = 0; i < poses.Length; i++)
+            {
+                Assert.That(results[i].S, Is.EqualTo(expected[i].S), $"pose {i}");
+                Assert.That(results[i].Errors, Is.EqualTo(expected[i].Errors), $"pose {i}");
+                Assert.That((results[i].Tubes, results[i].CellError, results[i].IsMet),
+                    Is.EqualTo((expected[i].Tubes, expected[i].CellError, expected[i].IsMet)), $"pose {i}");
+                if (cells == 0)
+                    Assert.That(results[i].Rays, Is.EqualTo(expected[i].Rays), $"pose {i}");
+            }
+        }
+
         [Test, Timeout(60000)]
         public void Trace_MovedTarget_TurnsThePhaseOnly([Values(0.013, -1.7)] double along)
         {

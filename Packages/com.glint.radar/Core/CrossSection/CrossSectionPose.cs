@@ -124,6 +124,18 @@ namespace Glint.Core
 
         /// <summary>Whether the radar is so far that its wave is plane.</summary>
         public bool IsFar => double.IsPositiveInfinity(Range);
+
+        /// <summary>Whether the radar alone receives.</summary>
+        public bool IsMonostatic => Receivers.Length == 1 && Receivers[0].ToRadar.Equals(Radar.ToRadar);
+
+        /// <summary>Whether another pose differs in nothing but the aspects and the phase centre.</summary>
+        public bool IsLike(CrossSectionPose other) => ReferenceEquals(Scene, other.Scene) && Range == other.Range
+            && Footprint == null && other.Footprint == null && IsMonostatic == other.IsMonostatic
+            && Receivers.Length == other.Receivers.Length && Frequencies.SequenceEqual(other.Frequencies)
+            && BandCentre == other.BandCentre && CoefficientFrequency == other.CoefficientFrequency
+            && Times.SequenceEqual(other.Times) && MaxBounces == other.MaxBounces && OnlyBounce == other.OnlyBounce
+            && HasEdges == other.HasEdges && FadesShadows == other.FadesShadows && CreaseDegrees == other.CreaseDegrees
+            && ToleranceDb == other.ToleranceDb && FloorDbsm == other.FloorDbsm;
     }
 
     /// <summary>The default floor: the same for every pose of a target.</summary>

@@ -34,7 +34,7 @@ namespace Glint.Editor
             {
                 Batch.WarnOfUnfinished(line, folder);
                 using (var run = new CrossSectionRun(setup, ProjectAssets.TubesKernel, folder,
-                    line.Get(Options.Shard), line.Get(Options.Resume)))
+                    line.Get(Options.Shard), line.Get(Options.Resume), CrossSectionTracer.PosesOfADispatch))
                 {
                     if (!run.IsComplete)
                         Describe(setup, name, progress);

@@ -19,16 +19,14 @@ namespace Glint
         readonly CrossSectionTracer _tracer;
         readonly int _first;
         readonly FrequencyGroups _groups;
-        readonly int _receiversOfTrace;
+        readonly int _receiversOfTrace, _posesTogether;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
         readonly SweepIdentity _identity;
 
-        // Traces of the current direction, by their first frequency and first receiver.
-        readonly Dictionary<(int, int), (CrossSectionPose, CrossSectionResult)> _traces =
-            new Dictionary<(int, int), (CrossSectionPose, CrossSectionResult)>();
-
-        int _pose = -1;
+        // Traces of the current direction and of later ones, by their first frequency and first receiver.
+        readonly Dictionary<(int Pose, int, int), (CrossSectionPose, CrossSectionResult)> _traces =
+            new Dictionary<(int, int, int), (CrossSectionPose, CrossSectionResult)>();
 
         /// <summary>Begins or resumes a run; nothing is traced before the first <see cref="Step"/>.</summary>
         /// <param name="setup">Must not change while the run lasts.</param>
@@ -36,11 +34,15 @@ namespace Glint
         /// <param name="folder">Receives the rows; null: nothing is written.</param>
         /// <param name="shard">The part of the rows to compute; null: all.</param>
         /// <param name="resume">Resumes the same run in the folder.</param>
+        /// <param name="posesTogether">
+        /// Directions that a step may trace at most, the row's own and later ones
+        /// (<see cref="CrossSectionTracer.PosesOfADispatch"/>): faster on a GPU, but steps are of unequal length.
+        /// </param>
         /// <exception cref="GlintException">
         /// The setup cannot be computed, or the folder holds another run.
         /// </exception>
         public CrossSectionRun(CrossSectionSetup setup, ComputeShader shader, ResultsFolder folder = null,
-            SweepShard? shard = null, bool resume = false)
+            SweepShard? shard = null, bool resume = false, int posesTogether = 1)
         {
             (_setup, _folder) = (setup, folder);
             string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
@@ -59,6 +61,7 @@ namespace Glint
                     Done = folder.Resume(Count);
             }
             _tracer = new CrossSectionTracer(shader, subject);
+            _posesTogether = posesTogether;
         }
 
         /// <summary>Number of rows of the run, or of the part.</summary>
@@ -83,18 +86,12 @@ namespace Glint
         public CrossSectionRow Step(IProgress<double> progress = null, CancellationToken cancel = default)
         {
             var planned = _setup.Plan[_first + Done];
-            if (planned.Pose != _pose)
-                _traces.Clear();
-            _pose = planned.Pose;
-            int frequency = _groups.FirstOf(planned.FrequencyIndex);
-            int receiver = planned.Receiver / _receiversOfTrace * _receiversOfTrace;
-            if (!_traces.TryGetValue((frequency, receiver), out var traced))
-            {
-                var made = PoseOf(planned, frequency, receiver);
-                _traces.Add((frequency, receiver), traced = (made, _tracer.Trace(made, progress, cancel)));
-                Traces++;
-            }
-            var (pose, trace) = traced;
+            foreach (var done in _traces.Keys.Where(key => key.Pose < planned.Pose).ToArray())
+                _traces.Remove(done);
+            var (_, frequency, receiver) = TraceOf(planned);
+            if (!_traces.ContainsKey(TraceOf(planned)))
+                TraceFrom(_first + Done, progress, cancel);
+            var (pose, trace) = _traces[TraceOf(planned)];
             var row = RowOf(planned, trace, planned.Receiver - receiver,
                 pose.SampleOf(planned.Pulse, planned.FrequencyIndex - frequency));
             if (_setup.HasContributions)
@@ -114,12 +111,48 @@ namespace Glint
             _folder?.Dispose();
         }
 
-        CrossSectionPose PoseOf(in PlannedCrossSection planned, int frequency, int receiver)
+        // The trace that a row is of.
+        (int Pose, int Frequency, int Receiver) TraceOf(in PlannedCrossSection planned) => (planned.Pose,
+            _groups.FirstOf(planned.FrequencyIndex), planned.Receiver / _receiversOfTrace * _receiversOfTrace);
+
+        // Traces a row, and the rows of the same frequencies and receivers in later directions.
+        void TraceFrom(int row, IProgress<double> progress, CancellationToken cancel)
+        {
+            var (pose, frequency, receiver) = TraceOf(_setup.Plan[row]);
+            var keys = new List<(int, int, int)>();
+            var poses = new List<CrossSectionPose>();
+            for (; row < _first + Count && poses.Count < _posesTogether; row++)
+            {
+                var planned = _setup.Plan[row];
+                if (TraceOf(planned) != (pose, frequency, receiver))
+                    continue;
+                keys.Add((pose++, frequency, receiver));
+                poses.Add(PoseOf(row, planned, frequency, receiver));
+            }
+            var results = Trace(poses, progress, cancel);
+            for (int i = 0; i < results.Length; i++)
+                _traces.Add(keys[i], (poses[i], results[i]));
+            Traces += results.Length;
+        }
+
+        // A pose that fails must not take earlier rows with it.
+        CrossSectionResult[] Trace(List<CrossSectionPose> poses, IProgress<double> progress, CancellationToken cancel)
+        {
+            try
+            {
+                return _tracer.Trace(poses, progress, cancel);
+            }
+            catch (GlintException) when (poses.Count > 1)
+            {
+                return new[] { _tracer.Trace(poses[0], progress, cancel) };
+            }
+        }
+
+        CrossSectionPose PoseOf(int row, in PlannedCrossSection planned, int frequency, int receiver)
         {
             var plan = _setup.Plan;
-            int receivers = Math.Min(_receiversOfTrace, plan.Receivers - receiver);
-            int row = _first + Done - planned.Receiver;
-            var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[row + i].ReceiverAspect).ToArray();
+            int receivers = Math.Min(_receiversOfTrace, plan.Receivers - receiver), first = row - planned.Receiver;
+            var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[first + i].ReceiverAspect).ToArray();
             var frequencies = plan.Frequencies.Where((_, i) => _groups.FirstOf(i) == frequency).ToArray();
             return _setup.PoseOf(planned, aspects, frequencies);
         }

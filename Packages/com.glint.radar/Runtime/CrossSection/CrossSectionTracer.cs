@@ -77,6 +77,12 @@ namespace Glint
         /// </summary>
         internal double CellError { get; set; }
 
+        /// <summary>Poses that a GPU traces together at most; a single one fills a software device.</summary>
+        public static int PosesOfADispatch => SoftwareDevice.IsInUse ? 1 : TubeKernels.MaxPoses;
+
+        /// <summary>Poses of a dispatch at most, for tests.</summary>
+        internal int PosesTogether { get; set; } = PosesOfADispatch;
+
         /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int CellsADispatch { get; set; }
 
@@ -89,7 +95,7 @@ namespace Glint
         /// Traces poses to their tolerance, many in a dispatch on a GPU, which a single one does not fill. The results are
         /// those of single poses, bit for bit.
         /// </summary>
-        /// <param name="poses">They differ in the aspects of radar and receivers only.</param>
+        /// <param name="poses">Those that are alike are traced together (<see cref="CrossSectionPose.IsLike"/>).</param>
         /// <param name="progress">Receives the fraction done, 0 to 1, of each attempt.</param>
         /// <param name="cancel">Cancels while BVHs are built, or after the current slice.</param>
         /// <exception cref="GlintException">The memory does not suffice for the scene.</exception>
@@ -97,31 +103,38 @@ namespace Glint
         public CrossSectionResult[] Trace(IReadOnlyList<CrossSectionPose> poses, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
-            SetScene(poses[0], cancel);
-            if (_scene.IsEmpty)
-                return poses.Select(pose => new CrossSectionResult(pose.Receivers.Length, pose.Samples) { IsMet = true })
-                    .ToArray();
-            var jobs = poses.Select(pose => new TubeJob(pose, GridOf(pose))).ToArray();
-            for (int first = 0, count; first < jobs.Length; first += count)
+            var results = new List<CrossSectionResult>();
+            while (results.Count < poses.Count)
             {
-                count = PosesFrom(jobs, first);
-                TraceTogether(jobs.Skip(first).Take(count).ToArray(), progress, cancel);
+                var pose = poses[results.Count];
+                SetScene(pose, cancel);
+                if (_scene.IsEmpty)
+                {
+                    results.Add(new CrossSectionResult(pose.Receivers.Length, pose.Samples) { IsMet = true });
+                    continue;
+                }
+                var jobs = JobsOf(poses.Skip(results.Count).TakeWhile(pose.IsLike));
+                TraceTogether(jobs, progress, cancel);
+                results.AddRange(jobs.Select(job => job.Result));
             }
-            return Array.ConvertAll(jobs, job => job.Result);
+            return results.ToArray();
         }
 
         // Poses that the kernels' lists and sums hold.
-        int PosesFrom(TubeJob[] jobs, int first)
+        TubeJob[] JobsOf(IEnumerable<CrossSectionPose> poses)
         {
-            var pose = jobs[first].Pose;
-            if (SoftwareDevice.IsInUse || pose.Scene.Seas.Count > 0)
-                return 1;
-            int most = Math.Min(Math.Min(TubeKernels.MaxPoses, TubeSums.MaxSlots / TubeSums.SlotsOf(pose)),
-                jobs.Length - first);
-            int count = 1;
-            while (count < most && (count + 1L) * MarkWordsOf(jobs.Skip(first).Take(count + 1)) <= MaxMarkWords)
-                count++;
-            return count;
+            var jobs = new List<TubeJob>();
+            int words = 0;
+            foreach (var pose in poses)
+            {
+                var job = new TubeJob(pose, GridOf(pose));
+                words = Math.Max(words, TubeKernels.MarkWordsOf(job.Grid));
+                int most = pose.Scene.Seas.Count > 0 ? 1 : Math.Min(PosesTogether, TubeSums.MaxSlots / TubeSums.SlotsOf(pose));
+                if (jobs.Count > 0 && (jobs.Count == most || (jobs.Count + 1L) * words > MaxMarkWords))
+                    break;
+                jobs.Add(job);
+            }
+            return jobs.ToArray();
         }
 
         static int MarkWordsOf(IEnumerable<TubeJob> jobs) => jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
@@ -187,7 +200,7 @@ namespace Glint
         {
             if (pose.Scene.Seas.Count == 0)
                 return null;
-            if (pose.Receivers.Length != 1 || !pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar))
+            if (!pose.IsMonostatic)
                 throw new GlintException($"{_owner}: the clutter of a sea is that which returns to the radar, and this "
                     + "pose has another receiver: switch the sea's clutter off, or leave the receiver out");
             return Enumerable.Range(0, pose.Samples).Select(sample => _sea.Sum(_scene, pose, pose.FrequencyOf(sample),

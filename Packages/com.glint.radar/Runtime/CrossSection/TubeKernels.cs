@@ -92,9 +92,7 @@ namespace Glint
             SetReceivers(_shader, pose);
             _shader.SetInt(TubeIDs._SlotCount, TubeSums.SlotsOf(pose));
             _shader.SetInt(TubeIDs._SumCopies, TubeSums.CopiesOf(pose, jobs.Count));
-            bool isMonostatic =
-                pose.Receivers.Length == 1 && pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar);
-            _shader.SetInt(TubeIDs._IsMonostatic, isMonostatic ? 1 : 0);
+            _shader.SetInt(TubeIDs._IsMonostatic, pose.IsMonostatic ? 1 : 0);
             _shader.SetInt(TubeIDs._FadesShadows, pose.FadesShadows ? 1 : 0);
             _shader.SetInt(TubeIDs._OnlyBounce, pose.OnlyBounce);
             _shader.SetInt(TubeIDs._IsMoving, pose.IsMoving ? 1 : 0);
