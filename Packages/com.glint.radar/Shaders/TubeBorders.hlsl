@@ -49,6 +49,20 @@ bool Search(inout BorderSearch search, uint ray, Border border, uint signature)
     return (isBefore || signature == border.SignatureAfter) && (ray != 1 || isBeyond);
 }
 
+// Adds the error of a cell whose corners see something, and its centre nothing: what is left out of the sum.
+void AddMissed(Cell cell)
+{
+    float side = SideOfCell(cell);
+    Tube missed = (Tube)0;
+    missed.Corners01.x = side;
+    missed.Error = CRUDE_ERROR * side * side * cell.Strength;
+    for (uint number = 0; number < _ReceiverCount; number++)
+    {
+        missed.Tag = number | (cell.FirstBounce + 1) << 8;
+        AddTube(missed, 0, 0.0);
+    }
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -76,6 +90,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     BorderSearch search = (BorderSearch)0;
     uint checks = isCut ? MIDDLE_RAYS : 0, end = isCut ? MIDDLE_RAYS + 2 : 1;
     uint rays = 0;
+    bool isSummed = false;
     [loop]
     for (uint ray = 0; ray < end; ray++)
     {
@@ -120,6 +135,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     currents.Error = area * MagnitudeOf(currents);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
                     AddTube(currents, at.Part, RateTo(receiver, tube, at));
+                    isSummed = true;
                 }
             if (!ScatterTube(tube, at))
                 break;
@@ -129,6 +145,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (!isStraight && canDivide)
         Divide(cell);
+    else if (!isCut && !isSummed)
+        AddMissed(cell);
     AddTo(TUBE_BORDER_RAYS, rays);
 }
 
