@@ -149,11 +149,11 @@ uint BaseCellCount()
     return FirstCoverWord() / 2;
 }
 
-// Of a place relative to the scene's centre, base cells.
-float2 PlaceOnGrid(float3 place)
+// The place on the grid of a position relative to the scene's centre, base cells.
+float2 PlaceOnGrid(float3 position)
 {
-    return float2(dot(place, _GridX.xyz) + _GridX.w, dot(place, _GridY.xyz) + _GridY.w)
-        / (dot(place, _GridDepth.xyz) + _GridDepth.w);
+    return float2(dot(position, _GridX.xyz) + _GridX.w, dot(position, _GridY.xyz) + _GridY.w)
+        / (dot(position, _GridDepth.xyz) + _GridDepth.w);
 }
 
 RWStructuredBuffer<Tube> _Tubes;
