@@ -188,11 +188,12 @@ uint AllCoveredWord()
     return (s_pose + 1) * _MarkWords - 2;
 }
 
-// Of a place relative to the scene's centre, base cells.
-float2 PlaceOnGrid(float3 place)
+// The place on the grid of a position relative to the scene's centre, base cells.
+float2 PlaceOnGrid(float3 position)
 {
     float4 x = _Poses[s_pose].GridX, y = _Poses[s_pose].GridY, depth = _Poses[s_pose].GridDepth;
-    return float2(dot(place, x.xyz) + x.w, dot(place, y.xyz) + y.w) / (dot(place, depth.xyz) + depth.w);
+    return float2(dot(position, x.xyz) + x.w, dot(position, y.xyz) + y.w)
+        / (dot(position, depth.xyz) + depth.w);
 }
 
 // Word of a count of this thread's pose.

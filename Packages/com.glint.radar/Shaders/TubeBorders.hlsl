@@ -22,32 +22,46 @@ void Divide(Cell cell)
         }
 }
 
-// The search for the border across the middle of its chord.
-struct BorderSearch
+// Where the border is across the middle of its chord, as far as rays have found it.
+struct BorderBend
 {
     float Side;            // on which the border lies: 1: that of SignatureBefore; -1: the other one
-    float Place;           // of the border, in widths of the intervals of its ends
+    float Offset;          // of the border, in widths of the intervals of its ends
 };
 
-// Rays of a search: in the middle, a width beside it, and halfway.
-static const uint MIDDLE_RAYS = 3;
+// Rays that find it: in the middle, a width beside it, and halfway.
+static const uint BEND_RAYS = 3;
 
 // Where the next ray looks, widths from the chord.
-float NextPlace(BorderSearch search, uint ray)
+float NextOffset(BorderBend bend, uint ray)
 {
-    return ray == 0 ? 0.0 : ray == 1 ? search.Side : 0.5 * search.Side;
+    return ray == 0 ? 0.0 : ray == 1 ? bend.Side : 0.5 * bend.Side;
 }
 
 // Takes what the ray has met; false if the border is not within a width of the chord.
-bool Search(inout BorderSearch search, uint ray, Border border, uint signature)
+bool FindBend(inout BorderBend bend, uint ray, Border border, uint signature)
 {
     bool isBefore = signature == border.SignatureBefore;
     if (ray == 0)
-        search.Side = isBefore ? -1.0 : 1.0;
+        bend.Side = isBefore ? -1.0 : 1.0;
     // The ray in the middle is on the near side of the border.
-    bool isBeyond = isBefore == (search.Side > 0.0);
-    search.Place = (isBeyond ? 0.25 : 0.75) * search.Side;
+    bool isBeyond = isBefore == (bend.Side > 0.0);
+    bend.Offset = (isBeyond ? 0.25 : 0.75) * bend.Side;
     return (isBefore || signature == border.SignatureAfter) && (ray != 1 || isBeyond);
+}
+
+// Adds the error of a cell whose corners see something, and its centre nothing: what is left out of the sum.
+void AddMissed(Cell cell)
+{
+    float side = SideOfCell(cell);
+    Tube missed = (Tube)0;
+    missed.Corners01.x = side;
+    missed.Error = CRUDE_ERROR * side * side * cell.Strength;
+    for (uint number = 0; number < _ReceiverCount; number++)
+    {
+        missed.Tag = number | (cell.FirstBounce + 1) << 8;
+        AddTube(missed, 0, 0.0);
+    }
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -74,24 +88,25 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         CornerOf((border.Sides.y + 1) & 3) - CornerOf(border.Sides.y) };
     // Unit vector across the chord, to the side of SignatureBefore.
     float2 across = float2(-chord.y, chord.x) / max(length(chord), 1.0e-20);
-    BorderSearch search = (BorderSearch)0;
-    uint checks = isCut ? MIDDLE_RAYS : 0, end = isCut ? MIDDLE_RAYS + 2 : 1;
+    BorderBend bend = (BorderBend)0;
+    uint checks = isCut ? BEND_RAYS : 0, end = isCut ? BEND_RAYS + 2 : 1;
     uint rays = 0;
+    bool isSummed = false;
     [loop]
     for (uint ray = 0; ray < end; ray++)
     {
         if (ray == checks && !isStraight && canDivide)
             break;
         // Across the middle of the chord, to whose right the piece between lies; then in the two pieces.
-        float2 bend = isStraight ? BEND_AREA * width * search.Place * across : 0.0;
+        float2 shift = isStraight ? BEND_AREA * width * bend.Offset * across : 0.0;
         Piece piece = (Piece)0;
         if (isCut && ray > checks)
-            piece = PieceBetween(first + bend, border.Sides.x, second + bend, border.Sides.y, side);
+            piece = PieceBetween(first + shift, border.Sides.x, second + shift, border.Sides.y, side);
         else if (isCut)
-            piece = PieceBetween(second + bend, border.Sides.y, first + bend, border.Sides.x, side);
+            piece = PieceBetween(second + shift, border.Sides.y, first + shift, border.Sides.x, side);
         float2 place = MiddleOf(piece);
         if (ray < checks)
-            place = first + 0.5 * chord + width * NextPlace(search, ray) * across;
+            place = first + 0.5 * chord + width * NextOffset(bend, ray) * across;
         TubePath tube = BeginTube(CentreOfCell(cell) + place);
         SurfacePoint at;
         rays++;
@@ -121,15 +136,18 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     currents.Error = area * MagnitudeOf(currents);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
                     AddTube(currents, at.Part, RateTo(receiver, tube, at));
+                    isSummed = true;
                 }
             if (!ScatterTube(tube, at))
                 break;
         }
         if (ray < checks)
-            isStraight = isStraight && Search(search, ray, border, tube.Signature);
+            isStraight = isStraight && FindBend(bend, ray, border, tube.Signature);
     }
     if (!isStraight && canDivide)
         Divide(cell);
+    else if (!isCut && !isSummed)
+        AddMissed(cell);
     AddTo(CountWord(POSE_BORDER_RAYS), rays);
 }
 

@@ -73,7 +73,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         AddBorder(cell);
         return;
     }
-    uint4 corners = 0, bounces = 0, met = NO_SIGNATURE;
+    uint4 corners = 0, bounces = 0, first = NO_SIGNATURE;
     bool areSame = true;
     [unroll]
     for (uint i = 0; i < 4; i++)
@@ -83,17 +83,17 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         cell.Signatures[i] = NO_SIGNATURE;
         if (bounces[i] > 0)
         {
-            met[i] = _Corners[corners[i]].Signature;
+            first[i] = _Corners[corners[i]].Signature;
             cell.Signatures[i] = _Corners[corners[i] + bounces[i] - 1].Signature;
         }
         areSame = areSame && cell.Signatures[i] == cell.Signatures[0];
     }
-    float between = 0.0;
+    float thin = 0.0;
     if (cell.FirstBounce == 0 && cell.Level < _MaxLevel)
-        between = StrengthOfThinParts(cell, met);
-    if (between > 0.0)
+        thin = StrengthOfThinParts(cell, first);
+    if (thin > 0.0)
     {
-        cell.Strength = max(between, StrengthLeft(corners, bounces, 0).x);
+        cell.Strength = max(thin, StrengthLeft(corners, bounces, 0).x);
         cell.Bent = MISS;
         AddBorder(cell);
         return;

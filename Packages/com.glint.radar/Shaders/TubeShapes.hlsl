@@ -23,8 +23,9 @@ float2 CentreOfCell(Cell cell)
     return (float2(cell.Position) + 0.5) * SideOfCell(cell);
 }
 
-// Error of a cell that is summed as a whole although its corners do not see the same, as a fraction of its area.
-static const float CRUDE_ERROR = 0.3;
+// Error of a cell that is summed as a whole although its corners do not see the same, as a fraction of its area: of a straight
+// border anywhere in it the root mean square is 0.22 to 0.29 by its direction.
+static const float CRUDE_ERROR = 0.25;
 
 // Whether a cell may be summed as a whole.
 bool IsSmall(Cell cell)

@@ -122,7 +122,7 @@ struct Radiation
 {
     float2 VV, HV, VH, HH;
     float Scale;           // units of S a unit of Tube.Error
-    float2 Phase;          // at the middle, as exp(j phase)
+    float2 Cancelled;      // of a square: the part of its area that its phase cancels, times exp(j phase) at the middle
 };
 
 Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
@@ -163,8 +163,9 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
         shape = PolygonIntegral(corners, count, w);
     }
     Radiation radiation;
-    radiation.Phase = Phasor(turns);
-    float2 wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, radiation.Phase), factor);
+    float2 phasor = Phasor(turns), wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, phasor), factor);
+    radiation.Cancelled = count == 0 ? max(0.0, 1.0 - length(shape) / (tube.Corners01.x * tube.Corners01.x)) * phasor
+        : 0.0;
     radiation.VV = ComplexMul(wave, tube.CoPolar.xy);
     radiation.HV = ComplexMul(wave, tube.CrossPolar.xy);
     radiation.VH = ComplexMul(wave, tube.CrossPolar.zw);
@@ -244,10 +245,11 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             }
             Radiation radiation = RadiationOf(tube, i, waveNumber);
             Accumulate(sums, radiation, overflow);
-            // Errors of bent phases may add up or not.
+            // Errors of bent phases may add up or not. At a silhouette, where the phase runs fast, a linear one errs to the
+            // same side in each cell.
             float error = tube.Error * radiation.Scale;
             float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent
-                * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + _UnitsPerMetre * error * radiation.Phase);
+                * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + _UnitsPerMetre * error * radiation.Cancelled);
             Accumulate(sums[8], sums[9], bent, overflow);
             float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
             Accumulate(sums[10], min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS), overflow);

@@ -50,12 +50,13 @@ namespace Glint.Tests
             double Share(Func<Sample, bool> isOne) => samples.Count(isOne) / (double)samples.Length;
             TestContext.WriteLine(Table(samples));
             TestContext.WriteLine(string.Join("\n", samples.Where(sample => sample.Ratio > 3)));
-            // Asked for are 80 %, 1 %, none and 95 %: what is missing has its causes in rcs.md.
-            Assert.That(Share(sample => sample.Ratio >= 1 / 3.0 && sample.Ratio <= 3), Is.GreaterThan(0.65));
-            Assert.That(Share(sample => sample.Ratio > 3), Is.LessThan(0.12));
-            Assert.That(Share(sample => sample.Ratio > 10), Is.LessThan(0.05));
+            // Complex errors that scatter by chance are within 1/3 and 3 in 89 %; those of symmetric bodies, whose parts err in
+            // pairs, in 74 %. What is above 3 has its causes in rcs.md.
+            Assert.That(Share(sample => sample.Ratio >= 1 / 3.0 && sample.Ratio <= 3), Is.GreaterThan(0.75));
+            Assert.That(Share(sample => sample.Ratio > 3), Is.LessThan(0.04));
+            Assert.That(Share(sample => sample.Ratio > 10), Is.Zero);
             var met = samples.Where(sample => sample.IsMet).ToArray();
-            Assert.That(met.Count(sample => sample.True <= sample.Allowed), Is.GreaterThan(0.9 * met.Length));
+            Assert.That(met.Count(sample => sample.True <= sample.Allowed), Is.GreaterThan(0.94 * met.Length));
         }
 
         static string Table(IEnumerable<Sample> samples) => string.Join("\n", samples.GroupBy(sample => sample.Target)
@@ -106,7 +107,7 @@ namespace Glint.Tests
             {
                 if (target == "sphere" || target == "cylinder" || target == "top_hat" || target == "ship")
                     continue;
-                var s = TruthOf(ErrorPose.Of(target, ErrorPose.SceneOf(target), number));
+                var s = TruthOf(target, number);
                 Assert.That((s.VV - truth.VV).Magnitude, Is.LessThan(1e-6 * truth.VV.Magnitude), target);
                 Assert.That((s.HH - truth.HH).Magnitude, Is.LessThan(1e-6 * truth.HH.Magnitude), target);
             }
@@ -117,15 +118,18 @@ namespace Glint.Tests
             for (int number = 0; number < PosesOfABody; number++)
                 foreach (string target in ErrorPose.Targets)
                 {
-                    var s = TruthOf(ErrorPose.Of(target, ErrorPose.SceneOf(target), number));
+                    var s = TruthOf(target, number);
                     var parts = new[] { s.VV, s.HH }.SelectMany(part => new[] { part.Real, part.Imaginary });
                     File.AppendAllText(file, $"{target} {number} "
                         + string.Join(" ", parts.Select(part => part.ToString("g9", CultureInfo.InvariantCulture))) + "\n");
                 }
         }
 
-        static ScatteringMatrix TruthOf(CrossSectionPose pose) =>
-            new ReferenceCrossSection(pose.Scene).Compute(pose, ErrorPose.TruthSettings)[0, 0];
+        static ScatteringMatrix TruthOf(string target, int number)
+        {
+            var pose = ErrorPose.Of(target, ErrorPose.SceneOf(target), number);
+            return new ReferenceCrossSection(pose.Scene).Compute(pose, ErrorPose.TruthSettingsOf(target))[0, 0];
+        }
 
         static (string Target, int Number, ScatteringMatrix S)[] Truths() => AssetDatabase
             .LoadAssetAtPath<TextAsset>(TruthsPath).text.Split(new[] { '\n', '\r' }, StringSplitOptions.RemoveEmptyEntries)

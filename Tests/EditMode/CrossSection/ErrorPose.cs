@@ -14,11 +14,17 @@ namespace Glint.Tests
             "coated_box", "ship"
         };
 
-        // Of the truths: 16 times finer than kernels find borders at first. Undivided tubes are as fine as the thinnest parts
-        // of plates seen at grazing incidence, because what lies between rays is not found. A phase that is taken as linear
-        // has a mean error of a third of this.
-        public static TubeSettings TruthSettings =>
-            new TubeSettings { CellsPerWavelength = 64, MaxDepth = 5, MaxPhaseError = 0.005 };
+        // Of the truths: 16 to 64 times finer than kernels find borders at first. What lies between the rays of undivided tubes
+        // is not found, so that these are as fine as the thinnest parts of plates seen at grazing incidence; round bodies have
+        // none. A phase that is taken as linear has a mean error of a third of this.
+        public static TubeSettings TruthSettingsOf(string target)
+        {
+            bool isRound = target == "sphere" || target == "cylinder";
+            return new TubeSettings
+            {
+                CellsPerWavelength = isRound ? 2 : 64, MaxDepth = isRound ? 8 : 5, MaxPhaseError = 0.005
+            };
+        }
 
         // Cosine of the largest angle between radar and receiver at which physical optics holds.
         const double MinBistaticCosine = -0.5;

@@ -179,7 +179,7 @@ namespace Glint
         public static int MarkWordsOf(TubeGrid grid) =>
             2 * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 2;
 
-        /// <summary>Links of corners and sides in the lists of a grid's cells. Those of sides beyond are left out.</summary>
+        /// <summary>Links of corners and sides in the lists of a grid's cells, at most.</summary>
         public static int LinksOf(TubeGrid grid, SurfaceBuffers surfaces) => 1 + VertexLinks * surfaces.VertexCount
             + (int)Math.Min(MaxSideLinks, 4.0 * surfaces.SideCount + 2 * surfaces.LengthOfSides / grid.Side);
 
