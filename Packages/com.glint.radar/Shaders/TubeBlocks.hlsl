@@ -33,12 +33,18 @@ uint CornerCount()
     return _Round == 0 ? size.x * size.y : CellCount() / BLOCK_CELLS * BLOCK_CORNERS;
 }
 
+// Position of a base cell of this dispatch.
+uint2 BaseCellOf(uint index)
+{
+    return SliceStart() + uint2(index % _Grid.w, index / _Grid.w);
+}
+
 Cell LoadCell(uint index)
 {
     if (_Round > 0)
         return _TubeCells[index];
     Cell cell = (Cell)0;
-    cell.Position = SliceStart() + uint2(index % _Grid.w, index / _Grid.w);
+    cell.Position = BaseCellOf(index);
     return cell;
 }
 

@@ -163,6 +163,37 @@ namespace Glint
             return sums.ToContributions(polarisations);
         }
 
+        /// <summary>
+        /// Sums a pose by uniform points instead of ray tubes, without edges: what tubes are compared with
+        /// (glint bench --rcs). Errors are not known.
+        /// </summary>
+        /// <param name="across">Points along a side of a base cell: <see cref="TubeGrid.SideFor"/>.</param>
+        /// <param name="offset">Of the first point of a base cell, 0 to 1 spacings of points.</param>
+        /// <inheritdoc cref="Trace"/>
+        public CrossSectionResult TracePoints(CrossSectionPose pose, int across, double2 offset,
+            CancellationToken cancel = default)
+        {
+            SetScene(pose, cancel);
+            var grid = GridOf(pose);
+            var sums = new TubeSums(pose, grid);
+            Bind(pose, grid, sums, TubeSums.OutputSize(pose), 1);
+            _kernels.SumAll();
+            var read = new uint[TubeSums.OutputSize(pose)];
+            // The list holds the currents of all bounces.
+            int max = ListCapacity / (pose.MaxBounces * pose.Receivers.Length * across * across);
+            for (long first = 0; first < grid.Count;)
+            {
+                cancel.ThrowIfCancellationRequested();
+                int count = RowsOf(first, (int)Math.Min(max, grid.Count - first), grid.Cells.x);
+                _kernels.Clear(read.Length);
+                _kernels.TracePoints(grid, first, count, across, offset);
+                _output.ReadBack(read, read.Length);
+                sums.Add(read, _owner);
+                first += count;
+            }
+            return sums.ToResult();
+        }
+
         // Largest ratio of an error to the one allowed.
         static double Excess(CrossSectionResult result, double toleranceDb, double floorDbsm)
         {

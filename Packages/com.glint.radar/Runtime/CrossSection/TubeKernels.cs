@@ -31,7 +31,7 @@ namespace Glint
 
         readonly ComputeShader _shader;
         readonly TubeRounds _rounds;
-        readonly int _clearMarks, _mark, _cover, _corners, _cells, _fringes, _parts;
+        readonly int _clearMarks, _mark, _cover, _corners, _cells, _fringes, _points, _parts;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
@@ -44,13 +44,14 @@ namespace Glint
             _corners = shader.FindKernel("TubeCorners");
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
+            _points = shader.FindKernel("TubePoints");
             _parts = shader.FindKernel("TubeParts");
         }
 
         /// <summary>Sets the scene.</summary>
         public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
         {
-            foreach (int kernel in _rounds.Tracing.Append(_fringes))
+            foreach (int kernel in _rounds.Tracing.Append(_fringes).Append(_points))
             {
                 _shader.SetBvhs(kernel, scene);
                 _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
@@ -142,9 +143,9 @@ namespace Glint
             foreach (int kernel in new[] { _corners, _cells })
                 _shader.SetBuffer(kernel, TubeIDs._Corners, corners.Buffer);
             _rounds.SetLists(output, tubes, cells, borders, waveNumbers, cellCapacity);
-            foreach (int kernel in _rounds.Tracing.Append(_rounds.Summing).Append(_fringes).Append(_parts))
+            foreach (int kernel in _rounds.Tracing.Concat(new[] { _rounds.Summing, _fringes, _points, _parts }))
                 _shader.SetBuffer(kernel, TubeIDs._TubeRates, tubeRates.Buffer);
-            foreach (int kernel in new[] { _fringes, _parts })
+            foreach (int kernel in new[] { _fringes, _points, _parts })
             {
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
@@ -182,11 +183,10 @@ namespace Glint
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._WrittenLinks, links.Buffer);
-            foreach (int kernel in new[] { _corners, _cells })
-            {
+            foreach (int kernel in new[] { _corners, _cells, _points })
                 _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
+            foreach (int kernel in new[] { _corners, _cells })
                 _shader.SetBuffer(kernel, TubeIDs._Links, links.Buffer);
-            }
             _shader.DispatchThreads(_clearMarks, words);
             _shader.DispatchThreads(_mark, surfaces.VertexCount);
             _shader.DispatchThreads(_cover, surfaces.SphereCount);
@@ -198,6 +198,18 @@ namespace Glint
         /// <inheritdoc cref="TubeRounds.Trace"/>
         public void Trace(TubeGrid grid, long first, int count, int rounds, int bisections) =>
             _rounds.Trace(grid.Cells.x, first, count, rounds, bisections);
+
+        /// <summary>Sums the currents at points of a uniform grid in base cells.</summary>
+        /// <param name="across">Points along a side of a base cell.</param>
+        /// <param name="offset">Of the first point of a base cell, in spacings of points.</param>
+        public void TracePoints(TubeGrid grid, long first, int count, int across, double2 offset)
+        {
+            _shader.SetInts(TubeIDs._Grid, grid.Cells.x, (int)first, count, Math.Min(count, grid.Cells.x));
+            _shader.SetInt(TubeIDs._PointsAcross, across);
+            _shader.SetVector(TubeIDs._FirstPoint, new Vector4((float)offset.x, (float)offset.y));
+            _shader.DispatchThreads(_points, (long)count * across * across);
+            _rounds.Sum();
+        }
 
         /// <summary>Sums the fringe fields of pieces of edges.</summary>
         /// <param name="offset">Of the starts of shadow rays from their edges, metres.</param>

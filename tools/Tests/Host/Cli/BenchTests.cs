@@ -77,6 +77,28 @@ public sealed class BenchTests
         Assert.That(figures["clutter"].Select(row => row["sum_gpu_ms"].ToObject<double>()), Is.All.GreaterThan(0));
     }
 
+    // Physical optics of a metal sphere is within a decibel of pi r^2 for k r = 21.
+    [Test]
+    public void Bench_OfCrossSections_ComparesRaysOfTubesAndPoints()
+    {
+        string file = Path.Combine(_folder, "figures.json");
+        var (code, output, error) =
+            TestShell.Run("bench", "--rcs", "20", "--frequency", "1e9", "--rounds", "4", "--json", file);
+
+        Assert.That(code, Is.EqualTo(0), error);
+        var row = JObject.Parse(File.ReadAllText(file))["directions"].Single();
+        Assert.That(row["vv_dbsm"].ToObject<double>(), Is.EqualTo(10 * Math.Log10(Math.PI)).Within(1));
+        Assert.That(row["tubes_error_db"].ToObject<double>(), Is.LessThan(0.2));
+        var points = row["points"].ToArray();
+        Assert.That(points.Select(point => point["across_side"].ToObject<int>()), Does.Contain(10).And.Ordered);
+        var rays = points.Select(point => point["rays"].ToObject<double>()).ToArray();
+        Assert.That(rays[1] / rays[0], Is.EqualTo(9.0 / 4), "2 and 3 points along a side");
+        Assert.That(points[0]["error_db_95"].ToObject<double>(), Is.GreaterThan(1));
+        Assert.That(points[^1]["error_db_95"].ToObject<double>(), Is.LessThan(0.1));
+        Assert.That(row["rays_ratio"].ToObject<double>(), Is.GreaterThan(1));
+        Assert.That(output, Does.Contain("sphere").And.Contain("ratio"));
+    }
+
     // The stored sea of state 5.
     [Test]
     public void Bench_OfASceneWithClutter_TimesTheEchoOfItsPicture()
