@@ -4,8 +4,8 @@
 #include "TubeBlocks.hlsl"
 #include "Sums.hlsl"
 
-// Point sampling, which ray tubes are compared with: the current at a hit stands for its square of the grid, with one phase.
-// One thread a point.
+// Point sampling, which ray tubes are compared with: the current at a hit stands for its square of the grid, with one
+// phase. One thread a point.
 
 uint _PointsAcross;                        // along a side of a base cell
 float4 _FirstPoint;                        // xy: of a base cell, in spacings of points

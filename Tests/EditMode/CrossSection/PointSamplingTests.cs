@@ -19,7 +19,8 @@ namespace Glint.Tests
         [Test, Timeout(60000)]
         public void TracePoints_OfInterleavedGrids_AreOnAverageThoseOfTheFineGrid()
         {
-            var pose = PoseOf(CrossSectionTargets.Trihedral(0.2, CrossSectionTargets.TrihedralFace.Square), 40, 30);
+            var corner = CrossSectionTargets.Trihedral(0.2, CrossSectionTargets.TrihedralFace.Square);
+            var pose = PoseOf(corner, 40, 30);
             var fine = Tracer.TracePoints(pose, 8, 0.5);
             var coarse = Enumerable.Range(0, 16).Select(i =>
                 Tracer.TracePoints(pose, 2, new double2(i % 4 + 0.5, i / 4 + 0.5) / 4)).ToArray();
@@ -42,7 +43,7 @@ namespace Glint.Tests
             Assert.That(s.HH.Magnitude, Is.EqualTo(expected).Within(0.005 * expected));
         }
 
-        // The error by the border of length P in a grid of n points a wavelength: (pi / 3) P lambda / n^3 square metres.
+        // The error by a border of length P in a grid of n points a wavelength: (pi / 3) P lambda / n^3 square metres.
         [Test, Timeout(60000)]
         public void TracePoints_OfATurnedPlate_AreThoseOfTubes([Values(10, 25, 50)] double azimuth)
         {
@@ -50,7 +51,8 @@ namespace Glint.Tests
             var pose = PoseOf(CrossSectionTargets.Plate(Width, Height), azimuth, 15);
             var tubes = Tracer.Trace(pose).S[0, 0];
             var points = Tracer.TracePoints(pose, across, new double2(0.2, 0.7)).S[0, 0];
-            double border = 2 * (Width + Height), deviation = Math.Sqrt(Math.PI / 3 * border * Wavelength) * Math.Pow(across, -1.5);
+            double border = 2 * (Width + Height),
+                deviation = Math.Sqrt(Math.PI / 3 * border * Wavelength / Math.Pow(across, 3));
             Assert.That((points.VV - tubes.VV).Magnitude, Is.LessThan(3 * deviation));
             Assert.That((points.HH - tubes.HH).Magnitude, Is.LessThan(3 * deviation));
         }

@@ -28,7 +28,7 @@ sealed class BenchCommand(Terminal terminal)
         {
             if (plot != null)
                 return Accuracy(line, loaded.Radar, json, plot, progress);
-            if (line.IsGiven(Options.TimedCrossSections))
+            if (line.IsGiven(Options.CrossSections))
                 return Points(line, loaded.Radar, json, progress);
             var result = Measure(line, loaded, sceneFile, progress);
             result.Clutter?.Dispose();

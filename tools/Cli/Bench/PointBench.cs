@@ -15,11 +15,15 @@ namespace Glint.Cli;
 /// </summary>
 sealed class PointBench
 {
-    // Tolerance of what both are compared with, decibels: it adds 2 % to errors of 0.1 dB.
-    const double ConvergedDb = PointResult.ToleranceDb / 5;
+    // Finer steps of points, the last of which is what all are compared with; grids that show an error.
+    const int StepsToConverged = 2, MinGrids = 3;
 
-    // Points along a wavelength that are tried, up to those within the tolerance.
-    static readonly int[] s_across = [2, 3, 4, 5, 6, 8, PointResult.UsualAcross, 13, 16, 20, 25, 32, 40, 50];
+    // Tolerances of tubes and points along a side that are tried, until the measured error is within the tolerance.
+    static readonly double[] s_tolerances = [PointResult.ToleranceDb, 0.07, 0.05];
+    static readonly int[] s_across = [2, 3, 4, 5, 6, 8, PointResult.UsualAcross, 13, 16, 20, 25, 32, 40, 50, 64];
+
+    // Grids are turned by up to this: rows along edges that are level or upright would be worse than usual ones.
+    const double MaxTurnDegrees = 15;
 
     readonly IProgressSink _progress;
     readonly RadarController _radar;
@@ -32,7 +36,7 @@ sealed class PointBench
         (_radar, _progress) = (radar, progress);
         var pose = radar.Gather();
         _scene = line.InputKind == InputKind.BuiltIn ? Sphere(pose.Settings.FrequencyHz) : pose.Scene;
-        _azimuths = line.Get(Options.TimedCrossSections);
+        _azimuths = line.Get(Options.CrossSections);
         _result = new PointResult
         {
             Subject = line.InputKind == InputKind.BuiltIn ? "sphere" : line.Input,
@@ -40,7 +44,7 @@ sealed class PointBench
             Triangles = _scene.TriangleCount,
             FrequencyHz = pose.Settings.FrequencyHz,
             GrazingDegrees = line.Get(Options.Grazing),
-            Offsets = line.Get(Options.Rounds),
+            Grids = Math.Max(MinGrids, line.Get(Options.Rounds)),
         };
     }
 
@@ -76,46 +80,73 @@ sealed class PointBench
 
     PointRow Measure(CrossSectionTracer tracer, double azimuth)
     {
-        var pose = PoseOf(azimuth);
-        pose.ToleranceDb = ConvergedDb;
-        var converged = tracer.Trace(pose, null, _progress.Cancel);
-        pose.ToleranceDb = PointResult.ToleranceDb;
-        var watch = Stopwatch.StartNew();
-        var tubes = tracer.Trace(pose, null, _progress.Cancel);
-        var row = new PointRow(azimuth, converged, tubes, watch.Elapsed.TotalMilliseconds);
-        foreach (int across in s_across)
+        var (boxMin, boxMax) = _scene.Bound();
+        var row = new PointRow(azimuth, CrossSectionFloor.Of(boxMin, boxMax));
+        for (int i = 0, steps = 0; i < s_across.Length && steps <= StepsToConverged; i++)
         {
-            row.Points.Add(Sample(tracer, pose, row, across));
-            if (row.Enough != null && across >= PointResult.UsualAcross)
+            int across = s_across[i];
+            row.Points.Add(Sample(across, (turn, offset) =>
+                tracer.TracePoints(PoseOf(azimuth, turn, 0), across, offset, _progress.Cancel)));
+            // The scatter of the grids themselves.
+            if (across >= PointResult.UsualAcross && (steps > 0 || row.IsWithin(row.Points[^1])))
+                steps++;
+        }
+        foreach (double tolerance in s_tolerances)
+        {
+            row.Tubes.Add(Sample(tolerance, (turn, _) =>
+                tracer.Trace(PoseOf(azimuth, turn, tolerance), null, _progress.Cancel)));
+            if (row.IsWithin(row.Tubes[^1]))
                 break;
         }
         return row;
     }
 
-    PointSampling Sample(CrossSectionTracer tracer, CrossSectionPose pose, PointRow row, int across)
+    // The same turns and offsets for each setting.
+    Sampling Sample(double setting, Func<double, double2, CrossSectionResult> trace)
     {
-        // Another row has the same offsets.
-        var random = new Random(across);
-        var results = new List<CrossSectionResult>();
+        var random = new Random(1);
+        var matrices = new List<ScatteringMatrix>();
         var times = new Series();
-        for (int i = 0; i < _result.Offsets; i++)
+        long rays = 0;
+        for (int i = 0; i < _result.Grids; i++)
         {
+            double turn = math.radians(MaxTurnDegrees) * (2 * random.NextDouble() - 1);
             var offset = new double2(random.NextDouble(), random.NextDouble());
             var watch = Stopwatch.StartNew();
-            results.Add(tracer.TracePoints(pose, across, offset, _progress.Cancel));
+            var result = trace(turn, offset);
             times.Add(watch.Elapsed.TotalMilliseconds);
+            matrices.Add(Turned(result.S[0, 0], turn));
+            rays += result.Rays;
         }
-        return new PointSampling(across, results[0].Rays, row.ErrorOf(results), times);
+        return new Sampling(setting, rays / _result.Grids, matrices, times);
     }
 
-    CrossSectionPose PoseOf(double azimuth)
+    // A matrix of polarisations turned by an angle, in those that are not.
+    static ScatteringMatrix Turned(in ScatteringMatrix s, double turn)
     {
-        var aspect = RadarAspect.At(azimuth, _result.GrazingDegrees);
+        double cos = Math.Cos(turn), sin = Math.Sin(turn), cross = sin * cos;
+        return new ScatteringMatrix
+        {
+            VV = cos * cos * s.VV + cross * (s.HV + s.VH) + sin * sin * s.HH,
+            HH = sin * sin * s.VV - cross * (s.HV + s.VH) + cos * cos * s.HH,
+            HV = cross * (s.HH - s.VV) + cos * cos * s.HV - sin * sin * s.VH,
+            VH = cross * (s.HH - s.VV) + cos * cos * s.VH - sin * sin * s.HV,
+        };
+    }
+
+    // The grid turns with the radar about the sight.
+    CrossSectionPose PoseOf(double azimuth, double turn, double toleranceDb)
+    {
+        var upright = RadarAspect.At(azimuth, _result.GrazingDegrees);
+        double cos = Math.Cos(turn), sin = Math.Sin(turn);
+        var aspect = new RadarAspect(upright.ToRadar, cos * upright.Up - sin * upright.Right,
+            cos * upright.Right + sin * upright.Up);
         var (boxMin, boxMax) = _scene.Bound();
         var pose = new CrossSectionPose
         {
             Scene = _scene, Radar = aspect, Receivers = [aspect], PhaseCentre = (boxMin + boxMax) / 2,
             Frequencies = [_result.FrequencyHz], MaxBounces = _radar.Settings.MaxBounces, HasEdges = false,
+            ToleranceDb = toleranceDb,
         };
         _result.Side = TubeGrid.SideFor(pose, boxMin, boxMax);
         return pose;

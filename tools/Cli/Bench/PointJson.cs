@@ -5,7 +5,9 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>Rays of ray tubes and of point sampling as JSON. Times are in milliseconds, those of points medians.</summary>
+/// <summary>
+/// Rays of ray tubes and of point sampling as JSON. Times are in milliseconds, medians over the grids.
+/// </summary>
 static class PointJson
 {
     public static void Write(Stream stream, PointResult result) => JsonText.Write(stream, new JObject
@@ -19,28 +21,27 @@ static class PointJson
         ["grazing_deg"] = result.GrazingDegrees,
         ["tolerance_db"] = PointResult.ToleranceDb,
         ["side_m"] = result.Side,
-        ["offsets"] = result.Offsets,
+        ["grids"] = result.Grids,
         ["directions"] = new JArray(result.Rows.Select(Row)),
     });
 
     static JObject Row(PointRow row) => new()
     {
         ["azimuth_deg"] = row.AzimuthDegrees,
-        ["vv_dbsm"] = ScatteringMatrix.Dbsm(row.Converged.S[0, 0].VV),
-        ["hh_dbsm"] = ScatteringMatrix.Dbsm(row.Converged.S[0, 0].HH),
-        ["converged_tolerance_met"] = row.Converged.IsMet,
-        ["tubes_rays"] = row.Tubes.Rays,
-        ["tubes_ms"] = row.TubesMs,
-        ["tubes_error_db"] = row.TubesError.ErrorDb,
-        ["tubes_tolerance_met"] = row.Tubes.IsMet,
-        ["points_for_tolerance"] = row.Enough?.Across,
+        ["vv_dbsm"] = ScatteringMatrix.Dbsm(row.Converged.VV),
+        ["hh_dbsm"] = ScatteringMatrix.Dbsm(row.Converged.HH),
+        ["converged_error_db_95"] = PointRow.BoundDb(row.ConvergedError),
+        ["is_reached"] = row.IsReached,
         ["rays_ratio"] = row.Ratio,
-        ["points"] = new JArray(row.Points.Select(points => new JObject
-        {
-            ["across_side"] = points.Across,
-            ["rays"] = points.Rays,
-            ["error_db_95"] = PointRow.BoundDb(points.Error),
-            ["ms"] = points.Times.Median,
-        })),
+        ["tubes"] = new JArray(row.Tubes.Select(tubes => Of(row, tubes, "tolerance_db"))),
+        ["points"] = new JArray(row.Points.Select(points => Of(row, points, "across_side"))),
+    };
+
+    static JObject Of(PointRow row, Sampling sampling, string setting) => new()
+    {
+        [setting] = sampling.Setting,
+        ["rays"] = sampling.Rays,
+        ["error_db_95"] = PointRow.BoundDb(row.ErrorOf(sampling)),
+        ["ms"] = sampling.Times.Median,
     };
 }

@@ -8,7 +8,7 @@ namespace Glint.Core
     {
         const int HeaderBytes = 80;
 
-        /// <summary>Writes a mesh in metres and Unity's axes, y up: as glint reads it without further options.</summary>
+        /// <summary>Writes a mesh in metres and Unity's axes: as glint reads it without further options.</summary>
         /// <param name="output">Stays open.</param>
         public static void Write(Stream output, TriangleMesh mesh)
         {

@@ -308,7 +308,7 @@ namespace Glint.Editor
             Inputs = InputKind.File | InputKind.BuiltIn,
             Options = new Option[]
                 {
-                    Options.Rounds, Options.TimedSweep, Options.TimedFacets, Options.TimedCrossSections, Options.Peers,
+                    Options.Rounds, Options.TimedSweep, Options.TimedFacets, Options.CrossSections, Options.Peers,
                     Options.Reference, Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
                     Options.Clutter
                 }.Concat(Options.Radar).Concat(new Option[] { Options.Accuracy, Options.Device }).ToArray(),

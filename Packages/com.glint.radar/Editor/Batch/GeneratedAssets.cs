@@ -41,7 +41,7 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Writes the ship of a command line, or the stored ship: a mesh and a prefab with its measures, or an STL file.
+        /// Writes the ship of a command line, or the stored ship: a mesh and a prefab with its measures, or a file.
         /// </summary>
         /// <returns>The exit code: 0 done.</returns>
         /// <exception cref="GlintException">A measure is out of range, or a file cannot be written.</exception>

@@ -53,7 +53,8 @@ public sealed class CrossSectionCommandTests
     [Test]
     public void Ship_FromItsCommand_HasACrossSection()
     {
-        var (code, _, error) = TestShell.Run("ship", "--length", "130", "--triangles", "15000", "--stl", At("ship.stl"));
+        string[] ship = ["ship", "--length", "130", "--triangles", "15000", "--stl", At("ship.stl")];
+        var (code, _, error) = TestShell.Run(ship);
         Assert.That(code, Is.Zero, error);
         Run(At("ship.stl"), "--azimuth", "40", "--elevation", "5", "--frequency", "1e8", "--tolerance", "3", "--out",
             At("rcs"));
