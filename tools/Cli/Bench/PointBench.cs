@@ -19,7 +19,7 @@ sealed class PointBench
     const int StepsToConverged = 2, MinGrids = 3;
 
     // Tolerances of tubes and points along a side that are tried, until the measured error is within the tolerance.
-    static readonly double[] s_tolerances = [PointResult.ToleranceDb, 0.07, 0.05];
+    static readonly double[] s_tolerances = [PointResult.ToleranceDb, 0.07, 0.05, 0.035];
     static readonly int[] s_across = [2, 3, 4, 5, 6, 8, PointResult.UsualAcross, 13, 16, 20, 25, 32, 40, 50, 64];
 
     // Grids are turned by up to this: rows along edges that are level or upright would be worse than usual ones.
