@@ -23,6 +23,8 @@
 #include "SeaFacets.hlsl"
 #elif defined(GLINT_FRINGES)
 #include "TubeFringes.hlsl"
+#elif defined(GLINT_UNIFORM_POINTS)
+#include "TubePoints.hlsl"
 #else
 #include "TubeBorders.hlsl"
 #endif

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
 using Glint.Reference;
@@ -13,6 +14,9 @@ namespace Glint.Tests
 
         static readonly ShipSettings Default = ShipSettings.Default;
 
+        // The example of the command's help.
+        static readonly ShipSettings Large = LargeSettings();
+
         readonly TriangleMesh _ship = ShipModel.Build(Default);
 
         // Its flat faces are unchanged, and tracing takes half the time.
@@ -25,14 +29,14 @@ namespace Glint.Tests
         [Test]
         public void Build_FinestAndMostFlared_IsClosed()
         {
-            var settings = WithTriangles(200000);
+            var settings = WithTriangles(600000);
             settings.Flare = 0.8;
             ShipMesh.AssertClosed(ShipModel.Build(settings));
         }
 
         [TestCase(15000, 0.02)]
         [TestCase(44000, 0.02)]
-        [TestCase(200000, 0.02)]
+        [TestCase(600000, 0.02)]
         public void Build_HasAsManyTrianglesAsAskedFor(int triangles, double within)
         {
             Assert.That(ShipModel.Build(WithTriangles(triangles)).TriangleCount,
@@ -41,14 +45,16 @@ namespace Glint.Tests
 
         // In float32, triangles below 5e-17 m2 have no normal, and slivers lose digits.
         [Test]
-        public void Build_Default_HasNoTriangleWithoutAreaAndNoNeedle()
+        public void Build_Default_HasNoTriangleWithoutAreaAndNoNeedle() => AssertNoNeedle(_ship, 1e-3);
+
+        static void AssertNoNeedle(TriangleMesh ship, double minWidth)
         {
-            for (int t = 0; t < _ship.TriangleCount; t++)
+            for (int t = 0; t < ship.TriangleCount; t++)
             {
-                _ship.GetTriangle(t, out var a, out var b, out var c);
+                ship.GetTriangle(t, out var a, out var b, out var c);
                 double area = length(cross((double3)b - a, (double3)c - a)) / 2;
                 double longest = max(distance(a, b), max(distance(b, c), distance(c, a)));
-                if (area < 1e-6 || 2 * area / (longest * longest) < 1e-3)
+                if (area < 1e-6 || 2 * area / (longest * longest) < minWidth)
                     Assert.Fail($"triangle {t} at {a}: {area} m2, {longest} m long");
             }
         }
@@ -85,6 +91,33 @@ namespace Glint.Tests
             Assert.That(
                 positions.Count(vertex => !positions.Contains(new float3(-vertex.x + 0f, vertex.y, vertex.z))),
                 Is.Zero);
+        }
+
+        // The hull has most of the triangles.
+        [Test]
+        public void Build_OfALargeShip_FollowsItsHullAtTenGigahertz()
+        {
+            var hull = new Hull(Large);
+            var vertices = new List<float3>();
+            var indices = new List<int>();
+            hull.Build(400000).AddTo(vertices, indices);
+            var mesh = new TriangleMesh(vertices.ToArray(), indices.ToArray());
+            var quality = MeshQuality.Find(new RadarScene(mesh), new[] { SurfacePatches.Find(mesh) });
+            Assert.That(quality.Share(Signal.Wavelength(10e9)), Is.LessThan(0.02));
+            Assert.That(ShipModel.Build(Large).TriangleCount, Is.GreaterThan(mesh.TriangleCount));
+        }
+
+        [Test]
+        public void Build_OfALargeShip_IsClosedWithoutNeedles()
+        {
+            var ship = ShipModel.Build(Large);
+            ShipMesh.AssertClosed(ship);
+            // Rows of the flat transom are thinner near the keel.
+            AssertNoNeedle(ship, 3e-4);
+            Assert.That(ship.Vertices.Max(vertex => vertex.z) - ship.Vertices.Min(vertex => vertex.z),
+                Is.EqualTo(Large.Length).Within(2 * Step));
+            Assert.That(ShipMesh.VolumeUnderWater(ship) / (Large.Length * Large.Beam * Large.Draught),
+                Is.InRange(0.38, 0.55));
         }
 
         // Block coefficients of patrol vessels are about 0.4 to 0.55.
@@ -181,6 +214,13 @@ namespace Glint.Tests
                 double3 position = rays[pixel].LastHit - window;
                 Assert.That(abs(isInFront ? position.z : position.x), Is.LessThan(Default.WindowDepth + Step));
             }
+        }
+
+        static ShipSettings LargeSettings()
+        {
+            var settings = WithTriangles(500000);
+            (settings.Length, settings.Beam) = (130, 16);
+            return settings;
         }
 
         static ShipSettings WithTriangles(int triangles)

@@ -12,8 +12,8 @@ namespace Glint.Tests
         // Field, its name in messages, minimum and maximum for the default ship.
         static readonly object[][] Ranges =
         {
-            new object[] { "Length", "length", 55.0, 90.0 },
-            new object[] { "Beam", "beam", 11.0, 16.0 },
+            new object[] { "Length", "length", 55.0, 140.0 },
+            new object[] { "Beam", "beam", 11.0, 20.0 },
             new object[] { "Freeboard", "freeboard", 1.5, 6.0 },
             new object[] { "Forecastle", "forecastle", 0.0, 3.0 },
             new object[] { "Draught", "draught", 2.0, 8.0 },
@@ -27,7 +27,7 @@ namespace Glint.Tests
             new object[] { "Windows", "windows", 1.0, 15.0 },
             new object[] { "WindowDepth", "window depth", 0.02, 0.5 },
             new object[] { "MastHeight", "mast height", 5.0, 20.0 },
-            new object[] { "Triangles", "triangles", 15000.0, 200000.0 },
+            new object[] { "Triangles", "triangles", 15000.0, 600000.0 },
         };
 
         [Test]

@@ -28,6 +28,8 @@ sealed class BenchCommand(Terminal terminal)
         {
             if (plot != null)
                 return Accuracy(line, loaded.Radar, json, plot, progress);
+            if (line.IsGiven(Options.CrossSections))
+                return Points(line, loaded.Radar, json, progress);
             var result = Measure(line, loaded, sceneFile, progress);
             result.Clutter?.Dispose();
             json?.Write(stream => BenchJson.Write(stream, result));
@@ -47,6 +49,14 @@ sealed class BenchCommand(Terminal terminal)
         plot.Write(stream => AccuracyPlot.Write(stream, result));
         var written = new[] { plot, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
         return [.. new AccuracyTables(terminal).Lines(result), .. written];
+    }
+
+    string[] Points(CommandLine line, RadarController radar, OutputFile json, IProgressSink progress)
+    {
+        var result = new PointBench(line, radar, progress).Run();
+        json?.Write(stream => PointJson.Write(stream, result));
+        var written = json == null ? Enumerable.Empty<string>() : [$"written: {json.Path}"];
+        return [.. new PointTables(terminal).Lines(result), .. written];
     }
 
     static BenchResult Measure(CommandLine line, LoadedScene loaded, OutputFile sceneFile, IProgressSink progress)

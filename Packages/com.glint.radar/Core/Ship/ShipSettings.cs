@@ -12,8 +12,8 @@ namespace Glint.Core
         /// <summary>Every field, in the order of the declaration.</summary>
         public static readonly IReadOnlyList<Measure> Measures = new MeasureList<ShipSettings>
         {
-            { nameof(Length), it => it.Length, "Length", "m", 55, 90, "Length from the stern to the tip of the bow." },
-            { nameof(Beam), it => it.Beam, "Beam", "m", 11, 16, "Maximum width of the deck." },
+            { nameof(Length), it => it.Length, "Length", "m", 55, 140, "Length from the stern to the tip of the bow." },
+            { nameof(Beam), it => it.Beam, "Beam", "m", 11, 20, "Maximum width of the deck." },
             { nameof(Freeboard), it => it.Freeboard, "Freeboard", "m", 1.5, 6,
                 "Height above the water of the deck aft of the deckhouse." },
             { nameof(Forecastle), it => it.Forecastle, "Forecastle", "m", 0, 3,
@@ -40,14 +40,14 @@ namespace Glint.Core
                 "Depth of the windows in the bridge. Sill, jambs and pane are small corner reflectors." },
             { nameof(MastHeight), it => it.MastHeight, "Mast Height", "m", 5, 20,
                 "Height of the mast's top over the bridge's roof." },
-            { nameof(Triangles), it => it.Triangles, "Triangles", "", 15000, 200000,
+            { nameof(Triangles), it => it.Triangles, "Triangles", "", 15000, 600000,
                 "Triangles of the whole ship, within 2 %." }
         };
 
-        /// <summary>Length from the stern to the tip of the bow, metres: 55 to 90.</summary>
+        /// <summary>Length from the stern to the tip of the bow, metres: 55 to 140.</summary>
         public double Length;
 
-        /// <summary>Maximum width of the deck, metres: 11 to 16.</summary>
+        /// <summary>Maximum width of the deck, metres: 11 to 20.</summary>
         public double Beam;
 
         /// <summary>Height of the deck aft of the deckhouse, metres: 1.5 to 6.</summary>
@@ -103,7 +103,7 @@ namespace Glint.Core
         public double MastHeight;
 
         /// <summary>
-        /// Triangles of the whole ship, 15,000 to 200,000, within 2 %. Most belong to the hull; more triangles make
+        /// Triangles of the whole ship, 15,000 to 600,000, within 2 %. Most belong to the hull; more triangles make
         /// round parts rounder.
         /// </summary>
         public int Triangles;

@@ -308,8 +308,8 @@ namespace Glint.Editor
             Inputs = InputKind.File | InputKind.BuiltIn,
             Options = new Option[]
                 {
-                    Options.Rounds, Options.TimedSweep, Options.TimedFacets, Options.Peers, Options.Reference,
-                    Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
+                    Options.Rounds, Options.TimedSweep, Options.TimedFacets, Options.CrossSections, Options.Peers,
+                    Options.Reference, Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
                     Options.Clutter
                 }.Concat(Options.Radar).Concat(new Option[] { Options.Accuracy, Options.Device }).ToArray(),
             Notes = new[]
@@ -328,6 +328,8 @@ namespace Glint.Editor
                         "The diffuse echo of a sea of 2 x 2 km beside a pose."),
                     Example("bench --accuracy --json accuracy.json",
                         "Run time against error: the plot, tables and figures."),
+                    Example("bench --rcs 20,45,70 --json rcs.json",
+                        "Rays of ray tubes and of point sampling, on a sphere."),
                     Example("bench --peer \"Embree=./embree {scene}\"", "In turns with another program.")
                 }
         };
@@ -395,7 +397,7 @@ namespace Glint.Editor
 
         /// <summary>Makes the ship.</summary>
         public static readonly Command Ship =
-            new Command("ship", "Make a naval vessel from its measures, as a mesh and a prefab of the project.")
+            new Command("ship", "Make a naval vessel from its measures, as a mesh and a prefab of the project or as an STL file.")
             {
                 Inputs = InputKind.None,
                 Options = ShipOptions.All,
@@ -406,7 +408,9 @@ namespace Glint.Editor
                 Examples = new[]
                 {
                     Example("ship", "The stored ship."),
-                    Example("ship --length 70 --out Assets/Ships/Longer", "A longer one.")
+                    Example("ship --length 70 --out Assets/Ships/Longer", "A longer one."),
+                    Example("ship --length 130 --beam 16 --triangles 500000 --stl frigate.stl",
+                        "A large ship, fine enough for cross sections at 10 GHz.")
                 }
             };
 

@@ -1,4 +1,6 @@
+using System;
 using System.Globalization;
+using System.IO;
 using System.Linq;
 using Glint.Core;
 using UnityEngine;
@@ -39,27 +41,51 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Writes the ship of a command line, or the stored ship: a mesh and a prefab with its measures.
+        /// Writes the ship of a command line, or the stored ship: a mesh and a prefab with its measures, or a file.
         /// </summary>
         /// <returns>The exit code: 0 done.</returns>
         /// <exception cref="GlintException">A measure is out of range, or a file cannot be written.</exception>
         public static int WriteShip(CommandLine line, IProgressSink progress)
         {
             var asked = ShipOptions.Read(line);
-            string folder = asked.HasValue
-                ? ProjectAssets.Folder(line.Get(Options.AssetFolder))
-                : ProjectAssets.StoredFolder(ShipName);
             var settings = asked ?? ShipSettings.Default;
             var made = ShipModel.Build(settings);
+            string path = line.IsGiven(ShipOptions.Stl)
+                ? WriteStl(line.Get(ShipOptions.Stl), made)
+                : WritePrefab(asked.HasValue
+                    ? ProjectAssets.Folder(line.Get(Options.AssetFolder))
+                    : ProjectAssets.StoredFolder(ShipName), settings, made);
+            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}: {1} triangles, {2} m long", path,
+                made.TriangleCount, settings.Length));
+            return Batch.Done;
+        }
+
+        static string WriteStl(string path, TriangleMesh made)
+        {
+            try
+            {
+                using (var file = File.Create(path))
+                    StlFile.Write(file, made);
+                return path;
+            }
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException
+                || error is ArgumentException || error is NotSupportedException)
+            {
+                throw new GlintException($"{path}: the ship cannot be written: {error.Message.TrimEnd('.')}; "
+                    + $"name another file with {ShipOptions.Stl.Flag}", error);
+            }
+        }
+
+        static string WritePrefab(string folder, in ShipSettings settings, TriangleMesh made)
+        {
             var mesh = ProjectAssets.Save(MeshMaker.Make(ShipName, made.Vertices, made.Indices),
                 $"{folder}/{ShipName}.asset");
             var root = new GameObject(ShipName, typeof(MeshFilter), typeof(MeshRenderer), typeof(Ship));
             ProjectAssets.Show(root, mesh);
             root.GetComponent<Ship>().Settings = settings;
-            ProjectAssets.SavePrefab(root, $"{folder}/{ShipName}.prefab");
-            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}/{1}.prefab: {2} triangles, {3} m long",
-                folder, ShipName, made.TriangleCount, settings.Length));
-            return Batch.Done;
+            string path = $"{folder}/{ShipName}.prefab";
+            ProjectAssets.SavePrefab(root, path);
+            return path;
         }
 
         static bool Write(string folder, SeaRecipe recipe, IProgressSink progress, ref int done)

@@ -325,6 +325,21 @@ namespace Glint.Editor
             "File for the triangles: number of vertices and of triangles (int32), x, y, z of each vertex "
                 + "(float32, metres, the world's axes), three vertex numbers of each triangle (int32), little-endian.");
 
+        /// <summary>Azimuths of cross sections by ray tubes and by points, degrees; null when not given.</summary>
+        public static readonly Option<double[]> CrossSections =
+            new Option<double[]>("rcs", "LIST", CrossSectionRanges.Azimuths.Read)
+            {
+                Group = BenchGroup,
+                Inputs = InputKind.MeshFile | InputKind.BuiltIn,
+                Refusal = "point sampling is measured on a mesh file: give one, or leave INPUT out",
+                Range = CrossSectionRanges.Azimuth.ToString(),
+                Excludes = new Option[] { Reference, Peers, TimedSweep, TimedFacets, WriteScene }
+                    .Select(option => (option, "cross sections are compared with those of uniform points")).ToArray(),
+                Help = "Instead: the rays that cross sections take to 0.1 dB at these azimuths, in degrees, and at "
+                    + "--grazing, by ray tubes and by uniform points, each with --rounds random grids. Without INPUT: "
+                    + "of a metal sphere of 1 m radius with facets to 1/50 wavelength."
+            };
+
         /// <summary>The GPU to work on: index or part of the name; null when not given.</summary>
         public static readonly Option<string> Device = new Option<string>("device", "DEVICE", Values.NotEmpty)
         {
@@ -343,7 +358,7 @@ namespace Glint.Editor
             ImpliedText = "accuracy.svg",
             Excludes = new Option[]
             {
-                Reference, Peers, TimedSweep, TimedFacets, WriteScene, Seed, SeaTriangles, ShipTriangles,
+                Reference, Peers, TimedSweep, TimedFacets, CrossSections, WriteScene, Seed, SeaTriangles, ShipTriangles,
                 Size, Region, Frequency, Bounces, NoSamplingError, Receiver
             }
                 .Select(option => (option, "it has its own scenes and radars")).ToArray(),

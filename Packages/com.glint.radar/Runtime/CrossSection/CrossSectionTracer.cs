@@ -21,8 +21,9 @@ namespace Glint
         // MaxLists: long lists fill a device with large memory.
         const int ListElements = 1 << 20, CornerElements = 1 << 21, MaxLists = 16, MebibytesAList = 8192;
 
-        // Rays of a slice for each of these elements, which leave the lists half empty.
-        const int RaysAList = 3 << 18;
+        // Rays of a slice for each of these elements: on a ship there is a tube for every five rays. A slice whose lists become
+        // full is traced again in two.
+        const int RaysAList = 3 << 20;
 
         // Error that a cell may have, as a fraction of what a conducting plate of a square wavelength returns: at first a
         // part of the tolerance, within limits; and at least.
@@ -238,6 +239,38 @@ namespace Glint
             jobs[0].Plan(result.CellError);
             TraceCells(jobs, jobs, sums.OutputSize, sums.Add, progress, cancel);
             return sums.ToContributions(polarisations);
+        }
+
+        /// <summary>
+        /// Sums a pose by uniform points instead of ray tubes, without edges: what tubes are compared with
+        /// (glint bench --rcs). Errors are not known.
+        /// </summary>
+        /// <param name="across">Points along a side of a base cell: <see cref="TubeGrid.SideFor"/>.</param>
+        /// <param name="offset">Of the first point of a base cell, 0 to 1 spacings of points.</param>
+        /// <inheritdoc cref="Trace"/>
+        public CrossSectionResult TracePoints(CrossSectionPose pose, int across, double2 offset,
+            CancellationToken cancel = default)
+        {
+            SetScene(pose, cancel);
+            var job = new TubeJob(pose, GridOf(pose));
+            var read = new uint[TubeSums.OutputSize(pose, 1)];
+            Bind(new[] { job }, read.Length, 1);
+            _kernels.SumAll();
+            job.Begin();
+            // The list holds the currents of all bounces.
+            int max = ListCapacity / (pose.MaxBounces * pose.Receivers.Length * across * across);
+            while (job.Left > 0)
+            {
+                cancel.ThrowIfCancellationRequested();
+                double rays = max;
+                int count = job.SliceOf(max, max, ref rays);
+                _kernels.Clear(read.Length);
+                _kernels.TracePoints(job.Next, count, across, offset);
+                _output.ReadBack(read, read.Length);
+                job.Sums.Add(read, 0, 1, _owner);
+                job.Took(count, TubeSums.RaysOf(read, 0));
+            }
+            return job.Sums.ToResult();
         }
 
         // Largest ratio of an error to the one allowed.

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl, TubeFringes.hlsl and TubeSums.hlsl.
+    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl, TubeFringes.hlsl, TubePoints.hlsl and TubeSums.hlsl.
     static class TubeIDs
     {
         public static readonly int _Facets = Shader.PropertyToID("_Facets");
@@ -34,6 +34,8 @@ namespace Glint
         public static readonly int _Tubes = Shader.PropertyToID("_Tubes");
         public static readonly int _TubeCells = Shader.PropertyToID("_TubeCells");
         public static readonly int _Borders = Shader.PropertyToID("_Borders");
+        public static readonly int _PointsAcross = Shader.PropertyToID("_PointsAcross");
+        public static readonly int _FirstPoint = Shader.PropertyToID("_FirstPoint");
         public static readonly int _ClearedWords = Shader.PropertyToID("_ClearedWords");
         public static readonly int _Corners = Shader.PropertyToID("_Corners");
         public static readonly int _FrequencyGroups = Shader.PropertyToID("_FrequencyGroups");

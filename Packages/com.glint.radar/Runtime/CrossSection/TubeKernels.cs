@@ -44,7 +44,7 @@ namespace Glint
         readonly DeviceBuffer<TubePose> _poses = new DeviceBuffer<TubePose>("poses");
         readonly DeviceBuffer<float4> _receivers = new DeviceBuffer<float4>("receivers");
         TubePose[] _slices;
-        readonly int _clearMarks, _mark, _outlines, _cover, _corners, _cells, _fringes, _parts;
+        readonly int _clearMarks, _mark, _outlines, _cover, _corners, _cells, _fringes, _points, _parts;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
@@ -58,13 +58,14 @@ namespace Glint
             _corners = shader.FindKernel("TubeCorners");
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
+            _points = shader.FindKernel("TubePoints");
             _parts = shader.FindKernel("TubeParts");
         }
 
         /// <summary>Sets the scene.</summary>
         public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
         {
-            foreach (int kernel in _rounds.Tracing.Append(_fringes))
+            foreach (int kernel in _rounds.Tracing.Append(_fringes).Append(_points))
             {
                 _shader.SetBvhs(kernel, scene);
                 _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
@@ -84,14 +85,14 @@ namespace Glint
             _slices = jobs.Select(job => new TubePose(job.Pose, job.Grid, BlocksOf(job.Grid))).ToArray();
             _poses.Upload(_slices);
             _receivers.Upload(jobs.SelectMany(job => ReceiverRows(job.Pose, rays.SceneCentre)).ToArray());
-            foreach (int kernel in _rounds.Tracing.Append(_fringes))
+            foreach (int kernel in _rounds.Tracing.Concat(new[] { _fringes, _points }))
                 _shader.SetBuffer(kernel, TubeIDs._Receivers, _receivers.Buffer);
-            foreach (int kernel in _rounds.Tracing.Concat(new[] { _fringes, _mark, _outlines, _cover }))
+            foreach (int kernel in _rounds.Tracing.Concat(new[] { _fringes, _points, _mark, _outlines, _cover }))
                 _shader.SetBuffer(kernel, TubeIDs._Poses, _poses.Buffer);
             _shader.SetInt(TubeIDs._PoseCount, jobs.Count);
             SetReceivers(_shader, pose);
             _shader.SetInt(TubeIDs._SlotCount, TubeSums.SlotsOf(pose));
-            _shader.SetInt(TubeIDs._SumCopies, TubeSums.CopiesOf(pose, jobs.Count));
+            _shader.SetInt(TubeIDs._SumCopies, TubeSums.CopiesOf(pose));
             _shader.SetInt(TubeIDs._IsMonostatic, pose.IsMonostatic ? 1 : 0);
             _shader.SetInt(TubeIDs._FadesShadows, pose.FadesShadows ? 1 : 0);
             _shader.SetInt(TubeIDs._OnlyBounce, pose.OnlyBounce);
@@ -162,9 +163,9 @@ namespace Glint
             foreach (int kernel in new[] { _corners, _cells })
                 _shader.SetBuffer(kernel, TubeIDs._Corners, corners.Buffer);
             _rounds.SetLists(output, tubes, cells, borders, waveNumbers, cellCapacity);
-            foreach (int kernel in _rounds.Tracing.Append(_rounds.Summing).Append(_fringes).Append(_parts))
+            foreach (int kernel in _rounds.Tracing.Concat(new[] { _rounds.Summing, _fringes, _points, _parts }))
                 _shader.SetBuffer(kernel, TubeIDs._TubeRates, tubeRates.Buffer);
-            foreach (int kernel in new[] { _fringes, _parts })
+            foreach (int kernel in new[] { _fringes, _points, _parts })
             {
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
@@ -206,11 +207,10 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._WrittenLinks, links.Buffer);
             foreach (int kernel in new[] { _outlines, _cells })
                 _shader.SetBuffer(kernel, TubeIDs._Sides, surfaces.Sides.Buffer);
-            foreach (int kernel in new[] { _corners, _cells })
-            {
+            foreach (int kernel in new[] { _corners, _cells, _points })
                 _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
+            foreach (int kernel in new[] { _corners, _cells })
                 _shader.SetBuffer(kernel, TubeIDs._Links, links.Buffer);
-            }
             _shader.DispatchThreads(_clearMarks, (long)poses * words);
             _shader.DispatchThreads(_mark, (long)poses * surfaces.VertexCount);
             _shader.DispatchThreads(_outlines, (long)poses * surfaces.SideCount);
@@ -226,6 +226,13 @@ namespace Glint
         /// <param name="slices">Of each pose, the first cell and their number: whole rows, or a part of one.</param>
         public void Trace((long First, int Count)[] slices, int rounds, int bisections)
         {
+            var (cells, corners) = SetSlices(slices);
+            _rounds.Trace(cells, corners, rounds, bisections);
+        }
+
+        // Returns the base cells of all poses, and their corners.
+        (int Cells, int Corners) SetSlices((long First, int Count)[] slices)
+        {
             int cells = 0, corners = 0;
             for (int i = 0; i < slices.Length; i++)
             {
@@ -237,10 +244,23 @@ namespace Glint
             }
             _poses.Upload(_slices);
             _shader.SetInts(TubeIDs._BaseCounts, cells, corners);
-            _rounds.Trace(cells, corners, rounds, bisections);
+            return (cells, corners);
         }
 
         static int CornersOf(int cells, int across) => cells == 0 ? 0 : (across + 1) * (cells / across + 1);
+
+        /// <summary>Sums the currents at points of a uniform grid in base cells.</summary>
+        /// <param name="across">Points along a side of a base cell.</param>
+        /// <param name="offset">Of the first point of a base cell, in spacings of points.</param>
+        public void TracePoints(long first, int count, int across, double2 offset)
+        {
+            SetSlices(new[] { (first, count) });
+            _shader.SetInt(TubeIDs._Round, 0);
+            _shader.SetInt(TubeIDs._PointsAcross, across);
+            _shader.SetVector(TubeIDs._FirstPoint, new Vector4((float)offset.x, (float)offset.y));
+            _shader.DispatchThreads(_points, (long)count * across * across);
+            _rounds.Sum();
+        }
 
         /// <summary>Sums the fringe fields of pieces of edges.</summary>
         /// <param name="offset">Of the starts of shadow rays from their edges, metres.</param>

@@ -45,13 +45,13 @@ namespace Glint
         public static int SlotsOf(CrossSectionPose pose) =>
             (pose.Scene.Seas.Count > 0 ? 2 : 1) * pose.Receivers.Length;
 
-        /// <summary>Copies of the sums in the output.</summary>
-        public static int CopiesOf(CrossSectionPose pose, int poses) =>
-            (SpreadSums - 1) / (poses * SlotsOf(pose) * pose.Samples) + 1;
+        /// <summary>Copies of the sums in the output, however many poses: at times all tubes are of one.</summary>
+        public static int CopiesOf(CrossSectionPose pose) =>
+            (SpreadSums - 1) / (SlotsOf(pose) * pose.Samples) + 1;
 
         /// <summary>Words of the output, copies included.</summary>
         public static int OutputSize(CrossSectionPose pose, int poses) => TubeKernels.FirstSum
-            + TubeKernels.SumWords * CopiesOf(pose, poses) * poses * SlotsOf(pose) * pose.Samples;
+            + TubeKernels.SumWords * CopiesOf(pose) * poses * SlotsOf(pose) * pose.Samples;
 
         /// <summary>Rays of a pose in an output.</summary>
         public static long RaysOf(uint[] output, int number)
@@ -83,7 +83,7 @@ namespace Glint
         {
             _tubes += output[FirstPose + PoseWords * number + PoseTubes];
             Rays += RaysOf(output, number);
-            int count = _sums.Length * CopiesOf(_pose, poses);
+            int count = _sums.Length * CopiesOf(_pose);
             for (int i = 0; i < count; i++)
             {
                 // Copies hold the sums of all poses.

@@ -77,6 +77,31 @@ public sealed class BenchTests
         Assert.That(figures["clutter"].Select(row => row["sum_gpu_ms"].ToObject<double>()), Is.All.GreaterThan(0));
     }
 
+    // A square plate of side a has 4 pi (a^2 cos / lambda)^2 (sin x / x)^2, x = k a sin.
+    [Test]
+    public void Bench_OfCrossSections_ComparesRaysOfTubesAndPoints()
+    {
+        string plate = Path.Combine(_folder, "plate.obj"), file = Path.Combine(_folder, "figures.json");
+        File.WriteAllText(plate, "v -0.25 -0.25 0\nv 0.25 -0.25 0\nv 0.25 0.25 0\nv -0.25 0.25 0\nf 1 2 3 4\n");
+        var (code, output, error) = TestShell.Run("bench", plate, "--rcs", "20", "--grazing", "0", "--frequency", "3e9",
+            "--rounds", "3", "--json", file);
+
+        Assert.That(code, Is.EqualTo(0), error);
+        var row = JObject.Parse(File.ReadAllText(file))["directions"].Single();
+        double angle = Math.PI / 9, wavelength = 299792458 / 3e9, x = 2 * Math.PI / wavelength * 0.5 * Math.Sin(angle);
+        double sigma = 4 * Math.PI * Math.Pow(0.25 * Math.Cos(angle) / wavelength * Math.Sin(x) / x, 2);
+        Assert.That(row["vv_dbsm"].ToObject<double>(), Is.EqualTo(10 * Math.Log10(sigma)).Within(0.1));
+        Assert.That(row["is_reached"].ToObject<bool>());
+        Assert.That(row["tubes"].Last["error_db_95"].ToObject<double>(), Is.LessThan(0.1));
+        var points = row["points"].ToArray();
+        Assert.That(points.Select(point => point["across_side"].ToObject<int>()), Does.Contain(10).And.Ordered);
+        double ratio = points[1]["rays"].ToObject<double>() / points[0]["rays"].ToObject<double>();
+        Assert.That(ratio, Is.EqualTo(9.0 / 4).Within(1).Percent, "2 and 3 points along a side");
+        Assert.That(points[0]["error_db_95"].ToObject<double>(), Is.GreaterThan(0.1));
+        Assert.That(points[^1]["error_db_95"].ToObject<double>(), Is.LessThan(0.1));
+        Assert.That(output, Does.Contain("plate.obj").And.Contain("ratio"));
+    }
+
     // The stored sea of state 5.
     [Test]
     public void Bench_OfASceneWithClutter_TimesTheEchoOfItsPicture()

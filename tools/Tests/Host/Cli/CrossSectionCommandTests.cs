@@ -50,6 +50,21 @@ public sealed class CrossSectionCommandTests
         Assert.That(row["receiver_azimuth_deg"], Is.Empty, "the radar receives");
     }
 
+    /// <summary>A ship of 130 m, from the command that makes it: at 100 MHz it is 43 wavelengths long.</summary>
+    [Test]
+    public void Ship_FromItsCommand_HasACrossSection()
+    {
+        string[] ship = ["ship", "--length", "130", "--triangles", "15000", "--stl", At("ship.stl")];
+        var (code, _, error) = TestShell.Run(ship);
+        Assert.That(code, Is.Zero, error);
+        Run(At("ship.stl"), "--azimuth", "40", "--elevation", "5", "--frequency", "1e8", "--tolerance", "3", "--out",
+            At("rcs"));
+        var row = Rows("rcs").Single();
+        Assert.That(row["tolerance_met"], Is.EqualTo("1"));
+        // Less than a plate as long and high as the ship, more than a ball of 1 m.
+        Assert.That(Number(row, "vv_dbsm"), Is.InRange(5, 10 * Math.Log10(4 * Math.PI * Math.Pow(130 * 25 / 3.0, 2))));
+    }
+
     /// <summary>A target nearer to the radar by x has S exp(+2jkx): phases are about the file's origin.</summary>
     [Test]
     public void Plate_NearerToTheRadar_HasAnotherPhase()

@@ -100,6 +100,27 @@ public sealed class GeneratedAssetsTests
     }
 
     [Test]
+    public void Ship_AsAFile_IsTheShipOfItsMeasures_TheSameBytesEachTime()
+    {
+        string[] measures = ["--length", "130", "--beam", "16", "--triangles", "15000"];
+        foreach (string name in new[] { "first.stl", "second.stl" })
+            Execute(Commands.Ship, [.. measures, "--stl", name]);
+
+        Assert.That(File.ReadAllBytes("first.stl"), Is.EqualTo(File.ReadAllBytes("second.stl")));
+        var read = MeshFileReader.Read("first.stl", LengthUnit.Parse("m"), UpAxis.Y);
+        var settings = ShipSettings.Default;
+        (settings.Length, settings.Beam, settings.Triangles) = (130, 16, 15000);
+        var ship = ShipModel.Build(settings);
+        Assert.That(read.Indices.Select(index => read.Vertices[index]),
+            Is.EqualTo(ship.Indices.Select(index => ship.Vertices[index])));
+    }
+
+    [Test]
+    public void Ship_AsAFileThatCannotBeWritten_IsRefused() =>
+        Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Ship, "--stl", "none/ship.stl")).Message,
+            Does.StartWith("none/ship.stl: the ship cannot be written").And.EndsWith("name another file with --stl"));
+
+    [Test]
     public void Sea_OutsideOfTheProject_IsRefused() =>
         Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Sea, "--out", Path.GetTempPath())).Message,
             Does.Contain("outside of the Unity project"));
