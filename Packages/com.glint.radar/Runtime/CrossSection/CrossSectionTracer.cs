@@ -247,7 +247,7 @@ namespace Glint
         /// </summary>
         /// <param name="across">Points along a side of a base cell: <see cref="TubeGrid.SideFor"/>.</param>
         /// <param name="offset">Of the first point of a base cell, 0 to 1 spacings of points.</param>
-        /// <inheritdoc cref="Trace"/>
+        /// <inheritdoc cref="Trace(CrossSectionPose, IProgress{double}, CancellationToken)"/>
         public CrossSectionResult TracePoints(CrossSectionPose pose, int across, double2 offset,
             CancellationToken cancel = default)
         {
