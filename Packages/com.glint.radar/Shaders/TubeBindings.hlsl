@@ -150,7 +150,8 @@ StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or 
 // of the first one: bits of the patch.
 // Each base cell has a list of those that run through it, behind the links of the corners.
 static const uint SIDE_ROWS = 3;
-static const uint MAX_SIDES = 64;          // of a list that is read
+static const uint MAX_SIDES = 64;          // beside which rays look
+static const uint MAX_LISTED_SIDES = 4096; // of a list that is read
 uint _SideCount;
 uint _LinkCapacity;                        // of a pose
 StructuredBuffer<float4> _Sides;
@@ -181,6 +182,12 @@ uint OutlineWord(uint2 cell)
 uint CoverWord(uint bit)
 {
     return s_pose * _MarkWords + 2 * BaseCellCount() + (bit >> 5);
+}
+
+// Whether the links of the outlines suffice.
+bool HasAllSides()
+{
+    return _Marks[(s_pose + 1) * _MarkWords - 1] <= _LinkCapacity - VERTEX_LINKS * _VertexCount;
 }
 
 uint AllCoveredWord()

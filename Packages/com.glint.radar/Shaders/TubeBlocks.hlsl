@@ -47,21 +47,25 @@ uint PoseOfCorner(uint index)
     return pose;
 }
 
-// Makes its pose that of the thread.
-Cell LoadCell(uint index)
+// A base cell of the dispatch, whose pose becomes that of the thread.
+Cell LoadBaseCell(uint index)
 {
-    if (_Round > 0)
-    {
-        Cell part = _TubeCells[index];
-        s_pose = part.Pose;
-        return part;
-    }
     s_pose = PoseOfCell(index);
     uint4 slice = _Poses[s_pose].Slice;
     uint inSlice = index - slice.w;
     Cell cell = (Cell)0;
     cell.Position = SliceStart() + uint2(inSlice % slice.z, inSlice / slice.z);
     cell.Pose = s_pose;
+    return cell;
+}
+
+// A cell of the round, whose pose becomes that of the thread.
+Cell LoadCell(uint index)
+{
+    if (_Round == 0)
+        return LoadBaseCell(index);
+    Cell cell = _TubeCells[index];
+    s_pose = cell.Pose;
     return cell;
 }
 

@@ -50,14 +50,34 @@ float StrengthBeside(Cell cell, uint4 met, uint number)
     return any(met == tube.Signature) ? 0.0 : StrengthAt(tube, at, receivers);
 }
 
-// Largest strength of what outlines through a cell show that the rays through its corners have not met first.
+// Whether more sides run through a cell than rays can look beside. Lists have no order: a part of one would differ from run
+// to run.
+bool HasManySides(Cell cell, uint first)
+{
+    uint listed = 0, through = 0;
+    [loop]
+    for (uint link = first; link != 0 && listed < MAX_LISTED_SIDES; listed++)
+    {
+        uint4 side = _Links[link - 1];
+        float2 a = PlaceOnGrid(_Sides[SIDE_ROWS * side.x].xyz), b = PlaceOnGrid(_Sides[SIDE_ROWS * side.x + 1].xyz);
+        through += MiddleWithin(cell, a, b) < 0.0 ? 0 : 1;
+        link = side.z;
+    }
+    return through > MAX_SIDES || listed == MAX_LISTED_SIDES;
+}
+
+// Largest strength of what outlines through a cell show that the rays through its corners have not met first; MISS: unknown.
 float StrengthOfThinParts(Cell cell, uint4 met)
 {
     uint2 base = cell.Position >> cell.Level;
-    uint link = _Marks[OutlineWord(base)];
+    uint first = _Marks[OutlineWord(base)];
+    if (first == 0 || !HasAllSides())
+        return 0.0;
+    if (HasManySides(cell, first))
+        return MISS;
     float strength = 0.0;
     [loop]
-    for (uint read = 0; read < MAX_SIDES && link != 0; read++)
+    for (uint link = first; link != 0;)
     {
         uint4 side = _Links[link - 1];
         strength = max(strength, StrengthBeside(cell, met, side.x));

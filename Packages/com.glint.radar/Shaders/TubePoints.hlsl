@@ -16,7 +16,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint index = IndexOf(group, thread), inCell = _PointsAcross * _PointsAcross, number = index % inCell;
     if (index >= _BaseCounts.x * inCell)
         return;
-    Cell cell = LoadCell(index / inCell);
+    Cell cell = LoadBaseCell(index / inCell);
     uint2 place = uint2(number % _PointsAcross, number / _PointsAcross);
     if (IsEmpty(cell))
         return;

@@ -161,7 +161,7 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_VERTICES", "MAX_SIDES",
+        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_VERTICES", "MAX_SIDES", "MAX_LISTED_SIDES",
             "TUBE_POINTS" };
     }
 }

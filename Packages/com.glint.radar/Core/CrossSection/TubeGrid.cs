@@ -19,6 +19,10 @@ namespace Glint.Core
         // patches are, and where paths differ.
         const double PictureWavelengths = 4;
 
+        // Side of a cell of a large target, most of whose echo comes from large parts: the outlines of patches show what rays
+        // through corners miss. Cells across a target, and across a large one.
+        const double LargeWavelengths = 2, CellsAcross = 16, LargeCellsAcross = 64;
+
         // Maximum side of a cell at a finite range, as a fraction of sqrt(wavelength x range).
         const double MaxNearSide = 0.22;
 
@@ -125,14 +129,16 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Side of a cell: a wavelength, or some in a camera's picture; less for a target of few wavelengths, or where
-        /// the wave is curved.
+        /// Side of a cell: a wavelength, of a target of more than 64 up to two, and in a camera's picture four; less for a
+        /// target of few wavelengths, or where the wave is curved.
         /// </summary>
         public static double SideFor(CrossSectionPose pose, double3 boxMin, double3 boxMax)
         {
             double wavelength = Signal.Wavelength(pose.Frequencies[pose.Frequencies.Length - 1]);
-            double side = Math.Min(pose.Footprint == null ? wavelength : PictureWavelengths * wavelength,
-                math.length(boxMax - boxMin) / 16);
+            double size = math.length(boxMax - boxMin);
+            double side = pose.Footprint != null ? Math.Min(PictureWavelengths * wavelength, size / CellsAcross)
+                : math.clamp(size / LargeCellsAcross, Math.Min(wavelength, size / CellsAcross),
+                    LargeWavelengths * wavelength);
             return pose.IsFar ? side : Math.Min(side, MaxNearSide * Math.Sqrt(wavelength * pose.Range));
         }
 

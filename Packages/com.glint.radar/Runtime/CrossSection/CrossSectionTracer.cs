@@ -256,6 +256,7 @@ namespace Glint
             var read = new uint[TubeSums.OutputSize(pose, 1)];
             Bind(new[] { job }, read.Length, 1);
             _kernels.SumAll();
+            job.Plan(1);
             job.Begin();
             // The list holds the currents of all bounces.
             int max = ListCapacity / (pose.MaxBounces * pose.Receivers.Length * across * across);
