@@ -114,7 +114,7 @@ namespace Glint
                     results.Add(new CrossSectionResult(pose.Receivers.Length, pose.Samples) { IsMet = true });
                     continue;
                 }
-                var jobs = JobsOf(poses.Skip(results.Count).TakeWhile(pose.IsLike));
+                var jobs = JobsOf(poses.Skip(results.Count).TakeWhile((other, i) => i == 0 || pose.IsLike(other)));
                 TraceTogether(jobs, progress, cancel);
                 results.AddRange(jobs.Select(job => job.Result));
             }
