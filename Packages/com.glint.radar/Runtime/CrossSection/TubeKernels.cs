@@ -189,13 +189,13 @@ namespace Glint
         /// <summary>
         /// Lists the corners and outlines of patches seen near each cell, and marks the cells in which any triangle is.
         /// </summary>
-        /// <param name="words">Of the marks of a pose.</param>
+        /// <param name="markWords">Of the marks of a pose.</param>
         /// <param name="linkCapacity">Of a pose.</param>
-        public void Mark(int poses, int words, int linkCapacity, SurfaceBuffers surfaces, DeviceBuffer<uint> marks,
+        public void Mark(int poses, int markWords, int linkCapacity, SurfaceBuffers surfaces, DeviceBuffer<uint> marks,
             DeviceBuffer<uint4> links)
         {
             _shader.SetInt(TubeIDs._SphereCount, surfaces.SphereCount);
-            _shader.SetInt(TubeIDs._MarkWords, words);
+            _shader.SetInt(TubeIDs._MarkWords, markWords);
             _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
             _shader.SetInt(TubeIDs._SideCount, surfaces.SideCount);
             _shader.SetInt(TubeIDs._LinkCapacity, linkCapacity);
@@ -211,7 +211,7 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
             foreach (int kernel in new[] { _corners, _cells })
                 _shader.SetBuffer(kernel, TubeIDs._Links, links.Buffer);
-            _shader.DispatchThreads(_clearMarks, (long)poses * words);
+            _shader.DispatchThreads(_clearMarks, (long)poses * markWords);
             _shader.DispatchThreads(_mark, (long)poses * surfaces.VertexCount);
             _shader.DispatchThreads(_outlines, (long)poses * surfaces.SideCount);
             _shader.DispatchThreads(_cover, (long)poses * surfaces.SphereCount);
