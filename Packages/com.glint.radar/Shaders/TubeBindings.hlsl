@@ -150,7 +150,7 @@ StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or 
 // of the first one: bits of the patch.
 // Each base cell has a list of those that run through it, behind the links of the corners.
 static const uint SIDE_ROWS = 3;
-static const uint MAX_SIDES = 8;           // beside which rays look
+static const uint MAX_SIDES = 8;           // beside which rays look: long loops end on a software device
 static const uint MAX_LISTED_SIDES = 4096; // of a list that is read
 uint _SideCount;
 uint _LinkCapacity;                        // of a pose
