@@ -97,7 +97,7 @@ float2 Radiated(float3 received, float4 field, float3 toReceiver, float3 directi
 // Of the sums of a receiver: paths that have met a sea alone are summed apart, behind all receivers.
 uint SlotOf(TubePath tube, uint receiver)
 {
-    return s_pose * _SlotCount + (tube.HasMetTarget ? receiver : _ReceiverCount + receiver);
+    return SlotOfAll(tube.HasMetTarget ? receiver : _ReceiverCount + receiver);
 }
 
 // Derivatives of the phase by u and v, m a base cell.

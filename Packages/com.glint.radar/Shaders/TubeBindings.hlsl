@@ -203,6 +203,23 @@ float2 PlaceOnGrid(float3 position)
         / (dot(position, depth.xyz) + depth.w);
 }
 
+// Takes a thread for each of a number of things of each pose: makes a number of all poses that of the thing, and its pose
+// that of the thread. False if there is none.
+bool TakeOfPose(inout uint number, uint count)
+{
+    if (number >= _PoseCount * count)
+        return false;
+    s_pose = number / count;
+    number %= count;
+    return true;
+}
+
+// Of a slot of this thread's pose, among those of all poses.
+uint SlotOfAll(uint slot)
+{
+    return s_pose * _SlotCount + slot;
+}
+
 // Word of a count of this thread's pose.
 uint CountWord(uint count)
 {

@@ -59,7 +59,7 @@ void AddMissed(Cell cell)
     missed.Error = CRUDE_ERROR * side * side * cell.Strength;
     for (uint number = 0; number < _ReceiverCount; number++)
     {
-        missed.Tag = (s_pose * _SlotCount + number) | (cell.FirstBounce + 1) << 8;
+        missed.Tag = SlotOfAll(number) | (cell.FirstBounce + 1) << 8;
         AddTube(missed, 0, 0.0);
     }
 }

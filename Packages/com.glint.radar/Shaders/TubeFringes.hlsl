@@ -156,7 +156,7 @@ Tube FringeOf(EdgePiece piece, float2 part, uint index)
     Tube fringe = (Tube)0;
     fringe.Gradient.x = dot(radar.Direction + receiver.Direction, t);
     fringe.Phase = radar.Phase + receiver.Phase + _Poses[s_pose].RadarPhase;
-    fringe.Tag = s_pose * _SlotCount + index | EDGE_CORNERS << 16;
+    fringe.Tag = SlotOfAll(index) | EDGE_CORNERS << 16;
     fringe.CoPolar = float4(coPolar.x, 0.0, coPolar.y, 0.0);
     fringe.CrossPolar = float4(crossPolar.x, 0.0, crossPolar.y, 0.0);
     fringe.Corners01.x = part.y - part.x;
@@ -176,11 +176,10 @@ float3 RateAt(EdgePiece piece, float2 part, uint index)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint number = IndexOf(group, thread), ofPose = _EdgeRange.y * _ReceiverCount, index = number % _ReceiverCount;
-    if (number >= _PoseCount * ofPose)
+    uint number = IndexOf(group, thread), index = number % _ReceiverCount;
+    if (!TakeOfPose(number, _EdgeRange.y * _ReceiverCount))
         return;
-    s_pose = number / ofPose;
-    EdgePiece piece = _EdgePieces[_EdgeRange.x + number % ofPose / _ReceiverCount];
+    EdgePiece piece = _EdgePieces[_EdgeRange.x + number / _ReceiverCount];
     if (SquareSine(ReceiverFrom(_ReceiverCount, piece.Centre).Direction, piece.Along) < MIN_SQUARE_SINE)
         return;
     float2 part = 0.5 * piece.Length * float2(-1.0, 1.0);

@@ -45,10 +45,8 @@ void ClearMarks(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (index >= _PoseCount * _VertexCount)
+    if (!TakeOfPose(index, _VertexCount))
         return;
-    s_pose = index / _VertexCount;
-    index %= _VertexCount;
     uint2 cells = _Poses[s_pose].Cells;
     float2 at = PlaceOnGrid(_Vertices[index].xyz);
     int2 first = (int2)floor(at - 0.5);
@@ -84,10 +82,8 @@ void MarkSide(uint side, int2 cell)
 void MarkOutlines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (index >= _PoseCount * _SideCount)
+    if (!TakeOfPose(index, _SideCount))
         return;
-    s_pose = index / _SideCount;
-    index %= _SideCount;
     float2 a = PlaceOnGrid(_Sides[SIDE_ROWS * index].xyz), b = PlaceOnGrid(_Sides[SIDE_ROWS * index + 1].xyz);
     bool isUpright = abs(b.y - a.y) > abs(b.x - a.x);
     float2 start = isUpright ? a.yx : a, end = isUpright ? b.yx : b;
@@ -110,10 +106,9 @@ void MarkOutlines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (index >= _PoseCount * _SphereCount)
+    if (!TakeOfPose(index, _SphereCount))
         return;
-    s_pose = index / _SphereCount;
-    float4 sphere = _Spheres[index % _SphereCount];
+    float4 sphere = _Spheres[index];
     float4 gridX = _Poses[s_pose].GridX, gridY = _Poses[s_pose].GridY, gridDepth = _Poses[s_pose].GridDepth;
     uint2 blocks = _Poses[s_pose].Blocks;
     float depth = dot(sphere.xyz, gridDepth.xyz) + gridDepth.w, deep = sphere.w * length(gridDepth.xyz);

@@ -28,6 +28,7 @@ sealed class PointBench
     readonly IProgressSink _progress;
     readonly RadarController _radar;
     readonly RadarScene _scene;
+    readonly (double3 Min, double3 Max) _box;
     readonly double[] _azimuths;
     readonly PointResult _result;
 
@@ -36,6 +37,7 @@ sealed class PointBench
         (_radar, _progress) = (radar, progress);
         var pose = radar.Gather();
         _scene = line.InputKind == InputKind.BuiltIn ? Sphere(pose.Settings.FrequencyHz) : pose.Scene;
+        _box = _scene.Bound();
         _azimuths = line.Get(Options.CrossSections);
         _result = new PointResult
         {
@@ -80,8 +82,8 @@ sealed class PointBench
 
     PointRow Measure(CrossSectionTracer tracer, double azimuth)
     {
-        var (boxMin, boxMax) = _scene.Bound();
-        var row = new PointRow(azimuth, CrossSectionFloor.Of(boxMin, boxMax));
+        var row = new PointRow(azimuth, CrossSectionFloor.Of(_box.Min, _box.Max));
+        _result.Side = TubeGrid.SideFor(PoseOf(azimuth, 0, 0), _box.Min, _box.Max);
         for (int i = 0, steps = 0; i < s_across.Length && steps <= StepsToConverged; i++)
         {
             int across = s_across[i];
@@ -141,14 +143,11 @@ sealed class PointBench
         double cos = Math.Cos(turn), sin = Math.Sin(turn);
         var aspect = new RadarAspect(upright.ToRadar, cos * upright.Up - sin * upright.Right,
             cos * upright.Right + sin * upright.Up);
-        var (boxMin, boxMax) = _scene.Bound();
-        var pose = new CrossSectionPose
+        return new CrossSectionPose
         {
-            Scene = _scene, Radar = aspect, Receivers = [aspect], PhaseCentre = (boxMin + boxMax) / 2,
+            Scene = _scene, Radar = aspect, Receivers = [aspect], PhaseCentre = (_box.Min + _box.Max) / 2,
             Frequencies = [_result.FrequencyHz], MaxBounces = _radar.Settings.MaxBounces, HasEdges = false,
             ToleranceDb = toleranceDb,
         };
-        _result.Side = TubeGrid.SideFor(pose, boxMin, boxMax);
-        return pose;
     }
 }

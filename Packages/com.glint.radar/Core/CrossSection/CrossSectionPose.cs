@@ -132,8 +132,8 @@ namespace Glint.Core
         public bool IsLike(CrossSectionPose other) => ReferenceEquals(Scene, other.Scene) && Range == other.Range
             && Footprint == null && other.Footprint == null && IsMonostatic == other.IsMonostatic
             && Receivers.Length == other.Receivers.Length && Frequencies.SequenceEqual(other.Frequencies)
-            && BandCentre == other.BandCentre && CoefficientFrequency == other.CoefficientFrequency
-            && Times.SequenceEqual(other.Times) && MaxBounces == other.MaxBounces && OnlyBounce == other.OnlyBounce
+            && BandCentre == other.BandCentre && Times.SequenceEqual(other.Times)
+            && MaxBounces == other.MaxBounces && OnlyBounce == other.OnlyBounce
             && HasEdges == other.HasEdges && FadesShadows == other.FadesShadows && CreaseDegrees == other.CreaseDegrees
             && ToleranceDb == other.ToleranceDb && FloorDbsm == other.FloorDbsm;
     }

@@ -86,17 +86,15 @@ namespace Glint
         public CrossSectionRow Step(IProgress<double> progress = null, CancellationToken cancel = default)
         {
             var planned = _setup.Plan[_first + Done];
-            foreach (var done in _traces.Keys.Where(key => key.Pose < planned.Pose).ToArray())
-                _traces.Remove(done);
-            var (_, frequency, receiver) = TraceOf(planned);
-            if (!_traces.ContainsKey(TraceOf(planned)))
+            var key = TraceOf(planned);
+            if (!_traces.ContainsKey(key))
                 TraceFrom(_first + Done, progress, cancel);
-            var (pose, trace) = _traces[TraceOf(planned)];
-            var row = RowOf(planned, trace, planned.Receiver - receiver,
-                pose.SampleOf(planned.Pulse, planned.FrequencyIndex - frequency));
+            var (pose, trace) = _traces[key];
+            int receiver = planned.Receiver - key.Receiver, frequency = planned.FrequencyIndex - key.Frequency;
+            var row = RowOf(planned, trace, receiver, pose.SampleOf(planned.Pulse, frequency));
             if (_setup.HasContributions)
-                row.Contributions = _tracer.Contributions(pose, trace, planned.Receiver - receiver,
-                    planned.FrequencyIndex - frequency, _setup.Polarisations, progress, cancel);
+                row.Contributions = _tracer.Contributions(pose, trace, receiver, frequency, _setup.Polarisations,
+                    progress, cancel);
             _folder?.Append(row);
             Done++;
             if (IsComplete)
@@ -119,6 +117,8 @@ namespace Glint
         void TraceFrom(int row, IProgress<double> progress, CancellationToken cancel)
         {
             var (pose, frequency, receiver) = TraceOf(_setup.Plan[row]);
+            foreach (var done in _traces.Keys.Where(key => key.Pose < pose).ToArray())
+                _traces.Remove(done);
             var keys = new List<(int, int, int)>();
             var poses = new List<CrossSectionPose>();
             for (; row < _first + Count && poses.Count < _posesTogether; row++)

@@ -165,7 +165,7 @@ namespace Glint
         void AddTo(TubeJob[] jobs, Func<TubeJob, TubeSums> sumsOf, uint[] read)
         {
             for (int i = 0; i < jobs.Length; i++)
-                sumsOf(jobs[i])?.Add(read, i, jobs.Length, _owner);
+                sumsOf(jobs[i]).Add(read, i, jobs.Length, _owner);
         }
 
         // Ends an attempt, and plans the next one if the error is too large.
