@@ -5,23 +5,27 @@
 
 // Words of _Sums: the counts, then the sums of each copy, pose, slot and frequency.
 static const uint TUBE_COUNT = 0;          // tubes; may exceed _ListCapacity
-static const uint TUBE_CELLS = 1;          // cells of the next round
-static const uint TUBE_BORDERS = 2;        // border cells of this round
-static const uint TUBE_OVERFLOW = 3;       // 1: a list was full
-static const uint TUBE_POINTS = 6;         // points of an amplitude's cells; may exceed _PointCapacity
-static const uint TUBE_REVEALED = 7;       // parts of cells in which more was found than in attempts before
-static const uint TUBE_HITS = 8;           // of the rays of an amplitude, 64 bits each: those that hit,
-static const uint TUBE_BOUNCES = 10;       // their bounces,
-static const uint TUBE_RECEIVED = 12;      // those received,
-static const uint TUBE_LENGTHS = 14;       // and their lengths to the last hit less _OriginDepth, in units
+static const uint TUBE_CELLS = 1;          // cells of this round
+static const uint TUBE_BORDERS = 2;        // border cells of this round that the border cuts in two,
+static const uint TUBE_UNCUT = 3;          // and the others
+static const uint TUBE_NEXT_CELLS = 4;     // cells of the next round
+static const uint TUBE_CENTRES = 5;        // cells of this round whose centre is traced
+static const uint TUBE_OUTLINES = 6;       // rays beside outlines in this round
+static const uint TUBE_OVERFLOW = 7;       // 1: a list was full
+static const uint TUBE_POINTS = 8;         // points of an amplitude's cells; may exceed _PointCapacity
+static const uint TUBE_REVEALED = 9;       // parts of cells in which more was found than in attempts before
+static const uint TUBE_HITS = 10;          // of the rays of an amplitude, 64 bits each: those that hit,
+static const uint TUBE_BOUNCES = 12;       // their bounces,
+static const uint TUBE_RECEIVED = 14;      // those received,
+static const uint TUBE_LENGTHS = 16;       // and their lengths to the last hit less _OriginDepth, in units
 static const float TUBE_LENGTH_UNITS = 256.0;   // a metre
-static const uint MAX_POSES = 16;          // of a dispatch
-static const uint POSE_COUNTS = 16;        // counts of each pose:
+static const uint MAX_POSES = 64;          // of a dispatch
+static const uint POSE_COUNTS = 18;        // counts of each pose:
 static const uint POSE_COUNT_WORDS = 4;
 static const uint POSE_TUBES = 0;          // tubes,
 static const uint POSE_RAYS = 1;           // rays traced in cells and at edges,
 static const uint POSE_BORDER_RAYS = 2;    // rays traced at borders
-static const uint TUBE_SUMS = 80;
+static const uint TUBE_SUMS = 274;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
 static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
@@ -43,6 +47,8 @@ static const uint CELL_ARGUMENTS = 12;
 static const uint TUBE_ARGUMENTS = 24;
 static const uint BISECT_ARGUMENTS = 36;
 static const uint CORNER_ARGUMENTS = 48;
+static const uint CENTRE_ARGUMENTS = 60;
+static const uint OUTLINE_ARGUMENTS = 72;
 
 // GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
 // The piece is a polygon in the plane of the grid, whose unit is a base cell.
@@ -71,8 +77,12 @@ struct Cell
     float Bent;           // and the largest error of a piece by bent phases, as a fraction of its area
     uint2 Crossings;      // of the border with two sides: see BorderOf
     uint Pose;            // of this dispatch
-    uint Unused[3];
+    uint Number;          // in its round; NO_CELL: its corners are not traced
+    uint Whole;           // number in the round before of the cell that it is a part of, or NO_CELL
+    uint Unused;
 };
+
+static const uint NO_CELL = 0xffffffff;
 
 // Input: what the tracer does not need.
 StructuredBuffer<uint2> _Facets;           // per triangle: patch, first row in _NormalFields or FLAT
@@ -102,7 +112,9 @@ struct TubePose
     uint FirstCorner;                            // of its corners in the dispatch
     float OriginDepth;                           // distance from the radar to the grid, m
     float RadarPhase;                            // that the phases of the grid's paths have beside ReceiverFrom, m
-    uint Unused[3];
+    float CellError;                             // of p.C times area that a cell may have, m2
+    uint MaxLevel;                               // cells at it are not divided
+    uint MaxBisections;                          // of the sides of a base cell towards a border
 };
 
 StructuredBuffer<TubePose> _Poses;
@@ -121,14 +133,11 @@ uint _IsMonostatic;                        // 1: the only receiver is at the rad
 uint _IsNear;                              // 1: finite range
 float _Range;                              // at which the field is 1 at a finite range, m
 float _WaveNumber;                         // of the highest frequency, rad/m
-float _CellError;                          // of p.C times area that a cell may have, m2
 uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
 // Input: the work.
 uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
-uint _MaxLevel;                            // cells at it are not divided
-uint _MaxBisections;                       // of the sides of a base cell towards a border
 uint2 _BisectSteps;                        // bisections of earlier dispatches, and with those of this one
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
@@ -238,15 +247,19 @@ struct Corner
 {
     uint Signature;       // of the path up to it
     uint Bounces;         // in the first element of a corner: those of its ray
-    float2 Strength;      // and its product with the error by bent phases
+    float2 Strength;      // and its product with BentOf
     float4 Position;      // see PlaceOf
     float4 AlongU;        // its differentials
     float4 AlongV;
 };
 
 RWStructuredBuffer<Corner> _Corners;       // _MaxBounces elements a corner
-RWStructuredBuffer<Cell> _TubeCells;
-RWStructuredBuffer<Cell> _Borders;
+StructuredBuffer<Corner> _CornersBefore;   // those of the round before
+StructuredBuffer<Cell> _TubeCells;         // of this round
+RWStructuredBuffer<Cell> _NextCells;       // of the next one
+RWStructuredBuffer<Cell> _Borders;         // border cells that are cut from the first element on, others from the last one back
+RWStructuredBuffer<uint> _Centres;         // of each cell whose centre is traced: its number, strength of its thin parts
+RWStructuredBuffer<uint2> _Outlines;       // of each ray beside an outline: element of _Centres / 2, number of the side
 
 float2 ComplexMul(float2 a, float2 b)
 {
