@@ -25,7 +25,8 @@ static const uint POSE_COUNT_WORDS = 4;
 static const uint POSE_TUBES = 0;          // tubes,
 static const uint POSE_RAYS = 1;           // rays traced in cells and at edges,
 static const uint POSE_BORDER_RAYS = 2;    // rays traced at borders
-static const uint TUBE_SUMS = 274;
+static const uint POSE_COPIES = 16;        // of these counts: additions to one word wait for each other
+static const uint TUBE_SUMS = 4114;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
 static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
@@ -137,7 +138,7 @@ uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
 // Input: the work.
-uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
+uint4 _ListCapacity;                       // tubes, cells, borders, centres
 uint2 _BisectSteps;                        // bisections of earlier dispatches, and with those of this one
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
@@ -229,10 +230,19 @@ uint SlotOfAll(uint slot)
     return s_pose * _SlotCount + slot;
 }
 
+static uint s_group = 0;                   // of this thread
+
+// Number of a thread of a kernel that counts.
+uint CountingThread(uint3 group, uint thread)
+{
+    s_group = group.x;
+    return IndexOf(group, thread);
+}
+
 // Word of a count of this thread's pose.
 uint CountWord(uint count)
 {
-    return POSE_COUNTS + POSE_COUNT_WORDS * s_pose + count;
+    return POSE_COUNTS + POSE_COUNT_WORDS * (s_group % POSE_COPIES * MAX_POSES + s_pose) + count;
 }
 
 RWStructuredBuffer<Tube> _Tubes;

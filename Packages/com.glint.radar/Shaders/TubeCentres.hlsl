@@ -35,8 +35,8 @@ Bounce BounceOf(uint4 corners, float side)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint centre = IndexOf(group, thread);
-    if (centre >= min(_Sums[TUBE_CENTRES], _ListCapacity.y))
+    uint centre = CountingThread(group, thread);
+    if (centre >= min(_Sums[TUBE_CENTRES], _ListCapacity.w))
         return;
     Cell cell = LoadCell(_Centres[2 * centre]);
     CellCorners corners = LoadCorners(cell);

@@ -89,7 +89,7 @@ void CopyCorner(uint from, uint to)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = IndexOf(group, thread), bounces = 0;
+    uint index = CountingThread(group, thread), bounces = 0;
     if (index >= CornerCount())
         return;
     CornerPosition position = PositionOf(index);

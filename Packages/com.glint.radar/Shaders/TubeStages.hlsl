@@ -136,7 +136,7 @@ void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void PrepareRays()
 {
     StoreGroups(OUTLINE_ARGUMENTS, GroupsOf(_Sums[TUBE_OUTLINES], _ListCapacity.x, GLINT_GROUP), 1);
-    StoreGroups(CENTRE_ARGUMENTS, GroupsOf(_Sums[TUBE_CENTRES], _ListCapacity.y, GLINT_GROUP), 1);
+    StoreGroups(CENTRE_ARGUMENTS, GroupsOf(_Sums[TUBE_CENTRES], _ListCapacity.w, GLINT_GROUP), 1);
 }
 
 // Groups for the border cells of this round.

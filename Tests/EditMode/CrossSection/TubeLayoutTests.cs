@@ -91,7 +91,7 @@ namespace Glint.Tests
                 {
                     ["TUBE_COUNT"] = TubeSums.Count, ["TUBE_OVERFLOW"] = TubeSums.Overflow,
                     ["MAX_POSES"] = TubeKernels.MaxPoses, ["POSE_COUNTS"] = TubeSums.FirstPose,
-                    ["POSE_COUNT_WORDS"] = TubeSums.PoseWords, ["POSE_TUBES"] = TubeSums.PoseTubes,
+                    ["POSE_COUNT_WORDS"] = TubeSums.PoseWords, ["POSE_COPIES"] = TubeSums.PoseCopies, ["POSE_TUBES"] = TubeSums.PoseTubes,
                     ["POSE_RAYS"] = TubeSums.PoseRays, ["POSE_BORDER_RAYS"] = TubeSums.PoseBorderRays,
                     ["TUBE_SUMS"] = TubeKernels.FirstSum, ["RECEIVER_ROWS"] = 3,
                     ["TUBE_SUM_WORDS"] = TubeKernels.SumWords,
@@ -145,7 +145,7 @@ namespace Glint.Tests
                 .Select(name => constants["TUBE_" + name]).ToArray();
             Assert.That(counts, Is.Unique);
             Assert.That(counts, Is.All.LessThan(TubeSums.FirstPose));
-            Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));
+            Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeSums.PoseCopies * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));
             Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,

@@ -81,6 +81,13 @@ namespace Glint
             return (int)(left < across || count < across ? Math.Min(count, left) : count / across * across);
         }
 
+        /// <summary>Cells of a slice that have no more than a number of corners.</summary>
+        public long CellsWithin(long corners)
+        {
+            long across = Grid.Cells.x + 1;
+            return corners < 2 * across ? corners / 2 - 1 : (corners / across - 1) * Grid.Cells.x;
+        }
+
         /// <summary>Ends a slice.</summary>
         public void Took(int count, long rays)
         {

@@ -14,7 +14,7 @@ namespace Glint
         public const int MaxReceivers = 16;
 
         /// <summary>Words of the output before the sums, and of each sum: TUBE_SUMS, TUBE_SUM_WORDS.</summary>
-        public const int FirstSum = 274, SumWords = 32;
+        public const int FirstSum = 4114, SumWords = 32;
 
         /// <summary>Poses of a dispatch at most: MAX_POSES.</summary>
         public const int MaxPoses = 64;
@@ -239,14 +239,17 @@ namespace Glint
                 _slices[i].FirstCorner = (uint)corners;
                 jobs[i].SetAccuracy(ref _slices[i]);
                 cells += count;
-                corners += CornersOf(count, across);
+                corners += CornersOf(count, (int)_slices[i].Cells.x);
             }
             _poses.Upload(_slices);
             _shader.SetInts(TubeIDs._BaseCounts, cells, corners);
             return (cells, corners);
         }
 
-        static int CornersOf(int cells, int across) => cells == 0 ? 0 : (across + 1) * (cells / across + 1);
+        /// <summary>Corners of cells of a slice: whole rows, or a part of one.</summary>
+        /// <param name="across">Cells of a row.</param>
+        public static int CornersOf(int cells, int across) =>
+            cells == 0 ? 0 : cells < across ? 2 * (cells + 1) : (across + 1) * (cells / across + 1);
 
         /// <summary>Sums the currents at points of a uniform grid in base cells.</summary>
         /// <param name="across">Points along a side of a base cell.</param>

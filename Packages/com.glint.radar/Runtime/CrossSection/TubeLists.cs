@@ -58,11 +58,12 @@ namespace Glint
 
         /// <summary>Ensures what the rays of cross sections need.</summary>
         /// <param name="corners">Of a round, times their bounces.</param>
-        public void ReserveRays(int corners)
+        /// <param name="centres">Base cells of a slice, or cells of a round, whichever are more.</param>
+        public void ReserveRays(int corners, int centres)
         {
             foreach (var list in Corners)
                 list.Reserve(corners);
-            Centres.Reserve(2L * CellCapacity);
+            Centres.Reserve(2L * centres);
             Outlines.Reserve(Tubes.Capacity);
         }
 

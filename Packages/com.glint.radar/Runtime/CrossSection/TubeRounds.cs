@@ -99,7 +99,8 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._Outlines, lists.Outlines.Buffer);
             }
             _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
-            _shader.SetInts(TubeIDs._ListCapacity, lists.Tubes.Capacity, lists.CellCapacity, lists.Borders.Capacity, 0);
+            _shader.SetInts(TubeIDs._ListCapacity, lists.Tubes.Capacity, lists.CellCapacity, lists.Borders.Capacity,
+                lists.Centres.Capacity / 2);
         }
 
         /// <summary>Clears counts and sums.</summary>

@@ -15,14 +15,14 @@ namespace Glint
 
         // Elements of the lists, and of the corners of a dispatch times their bounces, for each of 8 GB of memory up to
         // MaxLists: long lists fill a device with large memory.
-        const int ListElements = 1 << 20, CornerElements = 1 << 21, MaxLists = 16, MebibytesAList = 8192;
+        const int ListElements = 1 << 20, CornerElements = 3 << 20, MaxLists = 16, MebibytesAList = 8192;
 
         // Rays of a slice for each of these elements: on a ship there is a tube for every five rays. A slice whose lists become
         // full is traced again in two.
         const int RaysAList = 3 << 20;
 
-        // Of the marks of all poses of a dispatch: 256 MB.
-        const long MaxMarkWords = 1 << 26;
+        // Of the marks of all poses of a dispatch, for each of these lists: 64 MB.
+        const long MarkWordsAList = 1 << 24;
 
         readonly string _owner;
         readonly TubeKernels _kernels;
@@ -54,9 +54,12 @@ namespace Glint
         // Tubes, border cells and rays beside outlines.
         int Capacity => _listFactor * ListElements;
 
+        // Times their bounces.
+        int Corners => (int)Math.Min(_listFactor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
+
         /// <summary>Whether the marks of poses with a grid fit.</summary>
         public static bool FitsTogether(int poses, TubeGrid largest) =>
-            (long)poses * TubeKernels.MarkWordsOf(largest) <= MaxMarkWords;
+            (long)poses * TubeKernels.MarkWordsOf(largest) <= ListFactor * MarkWordsAList;
 
         /// <summary>Sets the poses, which are alike, and what is summed: S.</summary>
         /// <inheritdoc cref="Bind"/>
@@ -83,10 +86,10 @@ namespace Glint
             _kernels.SetPoses(jobs);
             _kernels.SetUnits(jobs[0].Edges);
             _read = new uint[outputSize];
-            _maxCells = CellCapacity(pose);
-            _lists.Reserve(outputSize, Capacity, (int)_maxCells, Enumerable.Range(0, pose.Samples).Select(sample =>
+            _maxCells = CornerCapacity(pose);
+            _lists.Reserve(outputSize, Capacity, CellCapacity(pose), Enumerable.Range(0, pose.Samples).Select(sample =>
                 TubeLists.WaveNumber(pose.FrequencyOf(sample), pose.TimeOf(sample))));
-            _lists.ReserveRays(_listFactor * CornerElements);
+            _lists.ReserveRays(Corners, CornerCapacity(pose));
             _tubeParts.Reserve(tubeParts);
             _tubeRates.Reserve(pose.IsMoving ? Capacity : 1);
             _kernels.SetLists(_lists, _tubeParts, _tubeRates);
@@ -97,9 +100,11 @@ namespace Glint
             _kernels.Mark(jobs.Length, words, links, surfaces, _marks, _links);
         }
 
-        // Cells of a round, whose corners are kept.
-        int CellCapacity(CrossSectionPose pose) => _listFactor * CornerElements / pose.MaxBounces / TubeKernels.BlockCorners
-            * TubeKernels.BlockCells;
+        // Corners of a round, of which what they meet is kept.
+        int CornerCapacity(CrossSectionPose pose) => Corners / pose.MaxBounces;
+
+        // Cells of a round after that of the base cells.
+        int CellCapacity(CrossSectionPose pose) => CornerCapacity(pose) / TubeKernels.BlockCorners * TubeKernels.BlockCells;
 
         /// <summary>
         /// Traces the next cells of all poses and hands the output over. If a list becomes full, nothing is handed over, and
@@ -130,7 +135,7 @@ namespace Glint
             for (int i = 0; i < jobs.Length; i++)
                 if (slices[i].Count > 0)
                     jobs[i].Took(slices[i].Count, TubeSums.RaysOf(_read, i));
-            _maxCells = Math.Min(CellCapacity(pose), _maxCells + _maxCells / 2);
+            _maxCells = Math.Min(CornerCapacity(pose), _maxCells + _maxCells / 2);
         }
 
         // The next slice of each pose, cells in all at most.
@@ -139,10 +144,13 @@ namespace Glint
             var slices = new (long First, int Count)[jobs.Length];
             double rays = (double)_listFactor * RaysAList;
             int sum = 0;
+            long corners = CornerCapacity(jobs[0].Pose);
             for (int i = 0; i < jobs.Length; i++)
             {
-                slices[i] = (jobs[i].Next, jobs[i].SliceOf(sum == 0 ? 1 : 0, max - sum, ref rays));
+                long most = Math.Min(max - sum, jobs[i].CellsWithin(corners));
+                slices[i] = (jobs[i].Next, jobs[i].SliceOf(sum == 0 ? 1 : 0, Math.Max(0, most), ref rays));
                 sum += slices[i].Count;
+                corners -= TubeKernels.CornersOf(slices[i].Count, jobs[i].Grid.Cells.x);
             }
             return slices;
         }
