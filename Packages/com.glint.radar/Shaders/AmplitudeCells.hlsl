@@ -18,7 +18,7 @@ bool LoadCell(uint index, out Cell cell)
     cell = (Cell)0;
     if (_Round > 0)
     {
-        if (index >= min(_Sums[TUBE_CELLS], _ListCapacity.y))
+        if (index >= CountOfList(TUBE_CELLS, _ListCapacity.y))
             return false;
         cell = _TubeCells[index];
         return true;

@@ -30,7 +30,7 @@ uint CommonBounces(CellCorners corners)
     return common;
 }
 
-// Of a cell of this round, which takes the signatures of their paths.
+// Of a cell of this round, which takes the signatures of their paths and their depth.
 CellCorners LoadCorners(inout Cell cell)
 {
     CellCorners corners = (CellCorners)0;
@@ -52,6 +52,7 @@ CellCorners LoadCorners(inout Cell cell)
         corners.AreSame = corners.AreSame && cell.Signatures[i] == cell.Signatures[0];
     }
     corners.Common = CommonBounces(corners);
+    cell.IsDeep = any(corners.Bounces > 1) ? 1 : 0;
     return corners;
 }
 

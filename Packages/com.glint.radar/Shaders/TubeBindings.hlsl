@@ -5,28 +5,29 @@
 
 // Words of _Sums: the counts, then the sums of each copy, pose, slot and frequency.
 static const uint TUBE_COUNT = 0;          // tubes; may exceed _ListCapacity
-static const uint TUBE_CELLS = 1;          // cells of this round
-static const uint TUBE_BORDERS = 2;        // border cells of this round that the border cuts in two,
-static const uint TUBE_UNCUT = 3;          // and the others
-static const uint TUBE_NEXT_CELLS = 4;     // cells of the next round
-static const uint TUBE_CENTRES = 5;        // cells of this round whose centre is traced
-static const uint TUBE_OUTLINES = 6;       // rays beside outlines in this round
-static const uint TUBE_OVERFLOW = 7;       // 1: a list was full
-static const uint TUBE_POINTS = 8;         // points of an amplitude's cells; may exceed _PointCapacity
-static const uint TUBE_REVEALED = 9;       // parts of cells in which more was found than in attempts before
-static const uint TUBE_HITS = 10;          // of the rays of an amplitude, 64 bits each: those that hit,
-static const uint TUBE_BOUNCES = 12;       // their bounces,
-static const uint TUBE_RECEIVED = 14;      // those received,
-static const uint TUBE_LENGTHS = 16;       // and their lengths to the last hit less _OriginDepth, in units
+static const uint TUBE_OVERFLOW = 1;       // 1: a list was full
+static const uint TUBE_OUTLINES = 2;       // rays beside outlines in this round
+// Lists that are filled from both ends: a count of the cells of one bounce at most, then of the deep ones.
+static const uint TUBE_CELLS = 3;          // cells of this round
+static const uint TUBE_NEXT_CELLS = 5;     // cells of the next round
+static const uint TUBE_CENTRES = 7;        // cells of this round whose centre is traced
+static const uint TUBE_BORDERS = 9;        // border cells of this round that the border cuts in two,
+static const uint TUBE_UNCUT = 11;         // and the others
+static const uint TUBE_POINTS = 13;        // points of an amplitude's cells; may exceed _PointCapacity
+static const uint TUBE_REVEALED = 14;      // parts of cells in which more was found than in attempts before
+static const uint TUBE_HITS = 16;          // of the rays of an amplitude, 64 bits each: those that hit,
+static const uint TUBE_BOUNCES = 18;       // their bounces,
+static const uint TUBE_RECEIVED = 20;      // those received,
+static const uint TUBE_LENGTHS = 22;       // and their lengths to the last hit less _OriginDepth, in units
 static const float TUBE_LENGTH_UNITS = 256.0;   // a metre
 static const uint MAX_POSES = 64;          // of a dispatch
-static const uint POSE_COUNTS = 18;        // counts of each pose:
+static const uint POSE_COUNTS = 24;        // counts of each pose:
 static const uint POSE_COUNT_WORDS = 4;
 static const uint POSE_TUBES = 0;          // tubes,
 static const uint POSE_RAYS = 1;           // rays traced in cells and at edges,
 static const uint POSE_BORDER_RAYS = 2;    // rays traced at borders
 static const uint POSE_COPIES = 16;        // of these counts: additions to one word wait for each other
-static const uint TUBE_SUMS = 4114;
+static const uint TUBE_SUMS = 4120;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
 static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
@@ -80,7 +81,7 @@ struct Cell
     uint Pose;            // of this dispatch
     uint Number;          // in its round; NO_CELL: its corners are not traced
     uint Whole;           // number in the round before of the cell that it is a part of, or NO_CELL
-    uint Unused;
+    uint IsDeep;          // 1: a ray through a corner of it, or of the cell that it is a part of, bounces more than once
 };
 
 static const uint NO_CELL = 0xffffffff;
@@ -138,7 +139,7 @@ uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
 // Input: the work.
-uint4 _ListCapacity;                       // tubes, cells, borders, centres
+uint4 _ListCapacity;                       // tubes, cells, borders of a kind, centres
 uint2 _BisectSteps;                        // bisections of earlier dispatches, and with those of this one
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
@@ -267,9 +268,33 @@ RWStructuredBuffer<Corner> _Corners;       // _MaxBounces elements a corner
 StructuredBuffer<Corner> _CornersBefore;   // those of the round before
 StructuredBuffer<Cell> _TubeCells;         // of this round
 RWStructuredBuffer<Cell> _NextCells;       // of the next one
-RWStructuredBuffer<Cell> _Borders;         // border cells that are cut from the first element on, others from the last one back
+RWStructuredBuffer<Cell> _Borders;         // border cells: in the first half those that are cut
 RWStructuredBuffer<uint> _Centres;         // of each cell whose centre is traced: its number, strength of its thin parts
 RWStructuredBuffer<uint2> _Outlines;       // of each ray beside an outline: element of _Centres / 2, number of the side
+
+// Adds a cell to a list that is filled from both ends, so that neighbouring threads follow rays of as many bounces. Returns its
+// element, or no smaller a number than the list has. count: word of the list's counts.
+uint AddToList(uint count, bool isDeep, uint cells, uint capacity)
+{
+    uint before;
+    InterlockedAdd(_Sums[isDeep ? count + 1 : count], cells, before);
+    return before + cells > capacity ? capacity : isDeep ? capacity - cells - before : before;
+}
+
+uint CountOfList(uint count, uint capacity)
+{
+    return min(_Sums[count] + _Sums[count + 1], capacity);
+}
+
+// Element of a list. cells: that are added at once.
+uint ElementOfList(uint count, uint index, uint cells, uint capacity)
+{
+    uint front = min(_Sums[count], capacity);
+    if (index < front)
+        return index;
+    uint behind = index - front;
+    return capacity - cells - behind / cells * cells + behind % cells;
+}
 
 float2 ComplexMul(float2 a, float2 b)
 {

@@ -21,7 +21,7 @@ uint2 SliceStart()
 
 uint CellCount()
 {
-    return _Round == 0 ? _BaseCounts.x : min(_Sums[TUBE_CELLS], _ListCapacity.y);
+    return _Round == 0 ? _BaseCounts.x : CountOfList(TUBE_CELLS, _ListCapacity.y);
 }
 
 uint CornerCount()
@@ -60,7 +60,7 @@ Cell LoadCell(uint index)
 {
     if (_Round == 0)
         return LoadBaseCell(index);
-    Cell cell = _TubeCells[index];
+    Cell cell = _TubeCells[ElementOfList(TUBE_CELLS, index, BLOCK_CELLS, _ListCapacity.y)];
     cell.Number = index;
     s_pose = cell.Pose;
     return cell;

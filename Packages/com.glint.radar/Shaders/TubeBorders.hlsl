@@ -10,14 +10,15 @@
 
 static const uint NO_BORDER = 0xffffffff;
 
-// Element of _Borders: those that are cut fill the first groups, so that neighbouring threads do the same.
+// Element of _Borders: those that are cut fill the first groups.
 uint BorderOfThread(uint index)
 {
-    uint cut = min(_Sums[TUBE_BORDERS], _ListCapacity.z), cutThreads = (cut + GLINT_GROUP - 1) / GLINT_GROUP * GLINT_GROUP;
+    uint capacity = _ListCapacity.z, cut = CountOfList(TUBE_BORDERS, capacity),
+        cutThreads = (cut + GLINT_GROUP - 1) / GLINT_GROUP * GLINT_GROUP;
     if (index < cutThreads)
-        return index < cut ? index : NO_BORDER;
+        return index < cut ? ElementOfList(TUBE_BORDERS, index, 1, capacity) : NO_BORDER;
     uint uncut = index - cutThreads;
-    return uncut < min(_Sums[TUBE_UNCUT], _ListCapacity.z) ? _ListCapacity.z - 1 - uncut : NO_BORDER;
+    return uncut < CountOfList(TUBE_UNCUT, capacity) ? capacity + ElementOfList(TUBE_UNCUT, uncut, 1, capacity) : NO_BORDER;
 }
 
 // Where the border is across the middle of its chord, as far as rays have found it.

@@ -36,8 +36,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (rays > 0 || corners.Common > cell.FirstBounce)
     {
-        uint centre;
-        InterlockedAdd(_Sums[TUBE_CENTRES], 1, centre);
+        uint centre = AddToList(TUBE_CENTRES, cell.IsDeep != 0, 1, _ListCapacity.w);
         _Centres[2 * centre] = index;
         _Centres[2 * centre + 1] = 0;
         if (rays > 0)

@@ -35,9 +35,10 @@ Bounce BounceOf(uint4 corners, float side)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint centre = CountingThread(group, thread);
-    if (centre >= min(_Sums[TUBE_CENTRES], _ListCapacity.w))
+    uint index = CountingThread(group, thread);
+    if (index >= CountOfList(TUBE_CENTRES, _ListCapacity.w))
         return;
+    uint centre = ElementOfList(TUBE_CENTRES, index, 1, _ListCapacity.w);
     Cell cell = LoadCell(_Centres[2 * centre]);
     CellCorners corners = LoadCorners(cell);
     float thin = asfloat(_Centres[2 * centre + 1]);

@@ -78,8 +78,7 @@ bool CanDivide(Cell cell)
 // Lists a cell among those through which a border runs.
 void ListBorder(Cell cell)
 {
-    uint border;
-    InterlockedAdd(_Sums[TUBE_BORDERS], 1, border);
+    uint border = AddToList(TUBE_BORDERS, cell.IsDeep != 0, 1, _ListCapacity.z);
     if (border < _ListCapacity.z)
         _Borders[border] = cell;
 }

@@ -35,7 +35,7 @@ namespace Glint.Tests
             {
                 Position = uint2(25, 26), Level = 27, FirstBounce = 28, Signatures = uint4(29, 30, 31, 32),
                 Strength = 33, Bent = 34, Crossings = uint2(35, 36), Pose = 161, Number = 162, Whole = 163,
-                Unused = 164
+                IsDeep = 164
             };
             var piece = new EdgePiece
             {
@@ -141,8 +141,10 @@ namespace Glint.Tests
         public void Words_DoNotOverlap()
         {
             var constants = ShaderConstants.Of("TubeBindings.hlsl");
-            var counts = new[] { "COUNT", "CELLS", "BORDERS", "UNCUT", "NEXT_CELLS", "CENTRES", "OUTLINES", "OVERFLOW" }
-                .Select(name => constants["TUBE_" + name]).ToArray();
+            // Lists that are filled from both ends have two counts.
+            var counts = new[] { "COUNT", "OVERFLOW", "OUTLINES" }.Select(name => constants["TUBE_" + name])
+                .Concat(new[] { "CELLS", "NEXT_CELLS", "CENTRES", "BORDERS", "UNCUT" }
+                    .SelectMany(name => new[] { constants["TUBE_" + name], constants["TUBE_" + name] + 1 })).ToArray();
             Assert.That(counts, Is.Unique);
             Assert.That(counts, Is.All.LessThan(TubeSums.FirstPose));
             Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeSums.PoseCopies * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));

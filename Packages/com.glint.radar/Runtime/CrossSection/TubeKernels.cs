@@ -14,7 +14,7 @@ namespace Glint
         public const int MaxReceivers = 16;
 
         /// <summary>Words of the output before the sums, and of each sum: TUBE_SUMS, TUBE_SUM_WORDS.</summary>
-        public const int FirstSum = 4114, SumWords = 32;
+        public const int FirstSum = 4120, SumWords = 32;
 
         /// <summary>Poses of a dispatch at most: MAX_POSES.</summary>
         public const int MaxPoses = 64;

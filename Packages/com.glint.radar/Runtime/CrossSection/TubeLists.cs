@@ -16,6 +16,7 @@ namespace Glint
         /// <summary>Of even rounds and of odd ones.</summary>
         public DeviceBuffer<TubeCell>[] Cells { get; } = TwoOf<TubeCell>("cells of tubes");
 
+        /// <summary>In the first half those that are cut.</summary>
         public DeviceBuffer<TubeCell> Borders { get; } = new DeviceBuffer<TubeCell>("border cells");
 
         /// <summary>Of even rounds and of odd ones; none for an amplitude.</summary>
@@ -44,13 +45,13 @@ namespace Glint
         }
 
         /// <summary>Ensures what all tracers need.</summary>
-        /// <param name="capacity">Tubes and border cells.</param>
+        /// <param name="capacity">Tubes, and border cells of each kind.</param>
         public void Reserve(int outputSize, int capacity, int cellCapacity, IEnumerable<float4> waveNumbers)
         {
             CellCapacity = cellCapacity;
             Output.Reserve(outputSize);
             Tubes.Reserve(capacity);
-            Borders.Reserve(capacity);
+            Borders.Reserve(2L * capacity);
             foreach (var cells in Cells)
                 cells.Reserve(cellCapacity);
             WaveNumbers.Upload(waveNumbers.ToArray());

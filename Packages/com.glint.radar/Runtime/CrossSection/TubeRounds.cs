@@ -99,7 +99,7 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._Outlines, lists.Outlines.Buffer);
             }
             _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
-            _shader.SetInts(TubeIDs._ListCapacity, lists.Tubes.Capacity, lists.CellCapacity, lists.Borders.Capacity,
+            _shader.SetInts(TubeIDs._ListCapacity, lists.Tubes.Capacity, lists.CellCapacity, lists.Borders.Capacity / 2,
                 lists.Centres.Capacity / 2);
         }
 

@@ -9,10 +9,10 @@ namespace Glint
     sealed class TubeSums
     {
         /// <summary>Words of the output.</summary>
-        public const int Count = 0, Overflow = 7;
+        public const int Count = 0, Overflow = 1;
 
         /// <summary>Counts of each pose, and words of those of a pose.</summary>
-        public const int FirstPose = 18, PoseWords = 4, PoseCopies = 16, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2;
+        public const int FirstPose = 24, PoseWords = 4, PoseCopies = 16, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2;
 
         /// <summary>Sums of a receiver and sample, two words each, and the word after them.</summary>
         public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;

@@ -42,7 +42,7 @@ namespace Glint
         const double UnitsPerCell = 1 << 24, UnitsPerSquare = 1L << 44;
 
         // Words of the output, of 64 bits but for the first: Shaders/TubeBindings.hlsl.
-        internal const int RevealedCount = 9, Hits = 10, Bounces = 12, Received = 14, Lengths = 16;
+        internal const int RevealedCount = 14, Hits = 16, Bounces = 18, Received = 20, Lengths = 22;
         internal const double LengthUnits = 256;
         const int InPhase = TubeKernels.FirstSum, Bent = InPhase + 2 * TubeSums.Bent, Border = InPhase + 2 * TubeSums.Border,
             TooLarge = InPhase + TubeSums.TooLarge;
