@@ -47,7 +47,7 @@ void Divide(Cell cell, uint4 corners, uint first, bool isReceived)
         AddUnsigned(TUBE_SUMS + SUM_ERROR, (uint)(_UnitsPerSquareMetre * error * error));
     }
     uint part;
-    InterlockedAdd(_Sums[TUBE_CELLS], 4, part);
+    InterlockedAdd(_Sums[TUBE_NEXT_CELLS], 4, part);
     for (uint corner = 0; corner < 4; corner++)
         if (part + corner < _ListCapacity.y)
         {
@@ -58,7 +58,7 @@ void Divide(Cell cell, uint4 corners, uint first, bool isReceived)
             uint4 around = uint4(corners[corner], first + corner, first + 4, first + ((corner + 3) & 3));
             quarter.Signatures = uint4(around[(0 - corner) & 3], around[(1 - corner) & 3], around[(2 - corner) & 3],
                 around[(3 - corner) & 3]);
-            _TubeCells[part + corner] = quarter;
+            _NextCells[part + corner] = quarter;
         }
 }
 
@@ -90,7 +90,7 @@ void AmplitudeBorders(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint4 corners = _Borders[index].Signatures;
     Border border = BorderOf(cell);
     float side = SideOfCell(cell);
-    bool canDivide = cell.Level < _MaxLevel && !IsSmall(cell), isCut = border.IsCut
+    bool canDivide = CanDivide(cell), isCut = border.IsCut
         && ((cell.Crossings.x | cell.Crossings.y) & NO_CROSSING) == 0;
     float fraction = asfloat((127 - BisectionsOf(cell)) << 23), width = side * fraction;
     float2 first = PlaceOnSide(border, 0, (cell.Crossings.x + 0.5) * fraction, side),
@@ -122,7 +122,7 @@ void AmplitudeBorders(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             [unroll]
             for (uint i = 0; i < 2; i++)
-                isStraight = isStraight && (bendErrors[i] <= _CellError || returns[i].Signature == 0);
+                isStraight = isStraight && (bendErrors[i] <= CellError() || returns[i].Signature == 0);
             isDivided = !isStraight && canDivide;
             if (!isDivided)
                 break;

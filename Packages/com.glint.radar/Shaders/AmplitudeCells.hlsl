@@ -18,7 +18,7 @@ bool LoadCell(uint index, out Cell cell)
     cell = (Cell)0;
     if (_Round > 0)
     {
-        if (index >= min(_Sums[TUBE_CELLS], _ListCapacity.y))
+        if (index >= CountOfList(TUBE_CELLS, _ListCapacity.y))
             return false;
         cell = _TubeCells[index];
         return true;
@@ -110,7 +110,7 @@ void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         AddTo(CountWord(POSE_RAYS), 1);
         float3 bends = BendsOf(ray, side);
         float size = _WaveNumber * (abs(bends.x) + abs(bends.y) + abs(bends.z)), error = BentError(size);
-        bool isTube = ray.Signature == signature && (error * side * side <= _CellError || cell.Level >= _MaxLevel);
+        bool isTube = ray.Signature == signature && (error * side * side <= CellError() || cell.Level >= MaxLevel());
         if (isTube)
         {
             Tube tube = TubeOf(ray);
@@ -125,7 +125,7 @@ void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         }
         cell.Bent = MISS;
     }
-    AddBorder(cell);
+    ListBorder(cell);
 }
 
 #endif

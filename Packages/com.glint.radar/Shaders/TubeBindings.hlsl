@@ -5,23 +5,29 @@
 
 // Words of _Sums: the counts, then the sums of each copy, pose, slot and frequency.
 static const uint TUBE_COUNT = 0;          // tubes; may exceed _ListCapacity
-static const uint TUBE_CELLS = 1;          // cells of the next round
-static const uint TUBE_BORDERS = 2;        // border cells of this round
-static const uint TUBE_OVERFLOW = 3;       // 1: a list was full
-static const uint TUBE_POINTS = 6;         // points of an amplitude's cells; may exceed _PointCapacity
-static const uint TUBE_REVEALED = 7;       // parts of cells in which more was found than in attempts before
-static const uint TUBE_HITS = 8;           // of the rays of an amplitude, 64 bits each: those that hit,
-static const uint TUBE_BOUNCES = 10;       // their bounces,
-static const uint TUBE_RECEIVED = 12;      // those received,
-static const uint TUBE_LENGTHS = 14;       // and their lengths to the last hit less _OriginDepth, in units
+static const uint TUBE_OVERFLOW = 1;       // 1: a list was full
+static const uint TUBE_OUTLINES = 2;       // rays beside outlines in this round
+// Lists that are filled from both ends: a count of the cells of one bounce at most, then of the deep ones.
+static const uint TUBE_CELLS = 3;          // cells of this round
+static const uint TUBE_NEXT_CELLS = 5;     // cells of the next round
+static const uint TUBE_CENTRES = 7;        // cells of this round whose centre is traced
+static const uint TUBE_BORDERS = 9;        // border cells of this round that the border cuts in two,
+static const uint TUBE_UNCUT = 11;         // and the others
+static const uint TUBE_POINTS = 13;        // points of an amplitude's cells; may exceed _PointCapacity
+static const uint TUBE_REVEALED = 14;      // parts of cells in which more was found than in attempts before
+static const uint TUBE_HITS = 16;          // of the rays of an amplitude, 64 bits each: those that hit,
+static const uint TUBE_BOUNCES = 18;       // their bounces,
+static const uint TUBE_RECEIVED = 20;      // those received,
+static const uint TUBE_LENGTHS = 22;       // and their lengths to the last hit less _OriginDepth, in units
 static const float TUBE_LENGTH_UNITS = 256.0;   // a metre
-static const uint MAX_POSES = 16;          // of a dispatch
-static const uint POSE_COUNTS = 16;        // counts of each pose:
+static const uint MAX_POSES = 64;          // of a dispatch
+static const uint POSE_COUNTS = 24;        // counts of each pose:
 static const uint POSE_COUNT_WORDS = 4;
 static const uint POSE_TUBES = 0;          // tubes,
 static const uint POSE_RAYS = 1;           // rays traced in cells and at edges,
 static const uint POSE_BORDER_RAYS = 2;    // rays traced at borders
-static const uint TUBE_SUMS = 80;
+static const uint POSE_COPIES = 16;        // of these counts: additions to one word wait for each other
+static const uint TUBE_SUMS = 4120;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
 static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
@@ -43,6 +49,8 @@ static const uint CELL_ARGUMENTS = 12;
 static const uint TUBE_ARGUMENTS = 24;
 static const uint BISECT_ARGUMENTS = 36;
 static const uint CORNER_ARGUMENTS = 48;
+static const uint CENTRE_ARGUMENTS = 60;
+static const uint OUTLINE_ARGUMENTS = 72;
 
 // GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
 // The piece is a polygon in the plane of the grid, whose unit is a base cell.
@@ -71,8 +79,12 @@ struct Cell
     float Bent;           // and the largest error of a piece by bent phases, as a fraction of its area
     uint2 Crossings;      // of the border with two sides: see BorderOf
     uint Pose;            // of this dispatch
-    uint Unused[3];
+    uint Number;          // in its round; NO_CELL: its corners are not traced
+    uint Whole;           // number in the round before of the cell that it is a part of, or NO_CELL
+    uint IsDeep;          // 1: a ray through a corner of it, or of the cell that it is a part of, bounces more than once
 };
+
+static const uint NO_CELL = 0xffffffff;
 
 // Input: what the tracer does not need.
 StructuredBuffer<uint2> _Facets;           // per triangle: patch, first row in _NormalFields or FLAT
@@ -102,7 +114,9 @@ struct TubePose
     uint FirstCorner;                            // of its corners in the dispatch
     float OriginDepth;                           // distance from the radar to the grid, m
     float RadarPhase;                            // that the phases of the grid's paths have beside ReceiverFrom, m
-    uint Unused[3];
+    float CellError;                             // of p.C times area that a cell may have, m2
+    uint MaxLevel;                               // cells at it are not divided
+    uint MaxBisections;                          // of the sides of a base cell towards a border
 };
 
 StructuredBuffer<TubePose> _Poses;
@@ -121,14 +135,11 @@ uint _IsMonostatic;                        // 1: the only receiver is at the rad
 uint _IsNear;                              // 1: finite range
 float _Range;                              // at which the field is 1 at a finite range, m
 float _WaveNumber;                         // of the highest frequency, rad/m
-float _CellError;                          // of p.C times area that a cell may have, m2
 uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
 // Input: the work.
-uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
-uint _MaxLevel;                            // cells at it are not divided
-uint _MaxBisections;                       // of the sides of a base cell towards a border
+uint4 _ListCapacity;                       // tubes, cells, borders of a kind, centres
 uint2 _BisectSteps;                        // bisections of earlier dispatches, and with those of this one
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
@@ -220,10 +231,19 @@ uint SlotOfAll(uint slot)
     return s_pose * _SlotCount + slot;
 }
 
+static uint s_group = 0;                   // of this thread
+
+// Number of a thread of a kernel that counts.
+uint CountingThread(uint3 group, uint thread)
+{
+    s_group = group.x;
+    return IndexOf(group, thread);
+}
+
 // Word of a count of this thread's pose.
 uint CountWord(uint count)
 {
-    return POSE_COUNTS + POSE_COUNT_WORDS * s_pose + count;
+    return POSE_COUNTS + POSE_COUNT_WORDS * (s_group % POSE_COPIES * MAX_POSES + s_pose) + count;
 }
 
 RWStructuredBuffer<Tube> _Tubes;
@@ -238,15 +258,43 @@ struct Corner
 {
     uint Signature;       // of the path up to it
     uint Bounces;         // in the first element of a corner: those of its ray
-    float2 Strength;      // and its product with the error by bent phases
+    float2 Strength;      // and its product with BentOf
     float4 Position;      // see PlaceOf
     float4 AlongU;        // its differentials
     float4 AlongV;
 };
 
 RWStructuredBuffer<Corner> _Corners;       // _MaxBounces elements a corner
-RWStructuredBuffer<Cell> _TubeCells;
-RWStructuredBuffer<Cell> _Borders;
+StructuredBuffer<Corner> _CornersBefore;   // those of the round before
+StructuredBuffer<Cell> _TubeCells;         // of this round
+RWStructuredBuffer<Cell> _NextCells;       // of the next one
+RWStructuredBuffer<Cell> _Borders;         // border cells: in the first half those that are cut
+RWStructuredBuffer<uint> _Centres;         // of each cell whose centre is traced: its number, strength of its thin parts
+RWStructuredBuffer<uint2> _Outlines;       // of each ray beside an outline: element of _Centres / 2, number of the side
+
+// Adds a cell to a list that is filled from both ends, so that neighbouring threads follow rays of as many bounces. Returns its
+// element, or no smaller a number than the list has. count: word of the list's counts.
+uint AddToList(uint count, bool isDeep, uint cells, uint capacity)
+{
+    uint before;
+    InterlockedAdd(_Sums[isDeep ? count + 1 : count], cells, before);
+    return before + cells > capacity ? capacity : isDeep ? capacity - cells - before : before;
+}
+
+uint CountOfList(uint count, uint capacity)
+{
+    return min(_Sums[count] + _Sums[count + 1], capacity);
+}
+
+// Element of a list. cells: that are added at once.
+uint ElementOfList(uint count, uint index, uint cells, uint capacity)
+{
+    uint front = min(_Sums[count], capacity);
+    if (index < front)
+        return index;
+    uint behind = index - front;
+    return capacity - cells - behind / cells * cells + behind % cells;
+}
 
 float2 ComplexMul(float2 a, float2 b)
 {

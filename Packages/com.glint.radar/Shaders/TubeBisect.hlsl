@@ -13,10 +13,11 @@
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = IndexOf(group, thread), which = index & 1;
-    if (index >= 2 * min(_Sums[TUBE_BORDERS], _ListCapacity.z))
+    uint index = CountingThread(group, thread), which = index & 1;
+    if (index >= 2 * CountOfList(TUBE_BORDERS, _ListCapacity.z))
         return;
-    Cell cell = LoadBorder(index / 2);
+    uint listed = ElementOfList(TUBE_BORDERS, index / 2, 1, _ListCapacity.z);
+    Cell cell = LoadBorder(listed);
     Border border = BorderOf(cell);
     uint crossing = which == 0 ? cell.Crossings.x : cell.Crossings.y, end = BisectionsOf(cell), rays = 0;
     float side = SideOfCell(cell);
@@ -36,9 +37,9 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             crossing |= NO_CROSSING;
     }
     if (which == 0)
-        _Borders[index / 2].Crossings.x = crossing;
+        _Borders[listed].Crossings.x = crossing;
     else
-        _Borders[index / 2].Crossings.y = crossing;
+        _Borders[listed].Crossings.y = crossing;
     if (rays > 0)
         AddTo(CountWord(POSE_BORDER_RAYS), rays);
 }

@@ -21,7 +21,7 @@ uint2 SliceStart()
 
 uint CellCount()
 {
-    return _Round == 0 ? _BaseCounts.x : min(_Sums[TUBE_CELLS], _ListCapacity.y);
+    return _Round == 0 ? _BaseCounts.x : CountOfList(TUBE_CELLS, _ListCapacity.y);
 }
 
 uint CornerCount()
@@ -29,33 +29,29 @@ uint CornerCount()
     return _Round == 0 ? _BaseCounts.y : CellCount() / BLOCK_CELLS * BLOCK_CORNERS;
 }
 
-// The pose of a base cell of the dispatch.
-uint PoseOfCell(uint index)
+// The pose of a base cell of the dispatch, or of a corner of base cells.
+uint PoseOf(uint index, bool isCorner)
 {
     uint pose = 0;
-    while (pose + 1 < _PoseCount && _Poses[pose + 1].Slice.w <= index)
-        pose++;
-    return pose;
-}
-
-// The pose of a corner of base cells of the dispatch.
-uint PoseOfCorner(uint index)
-{
-    uint pose = 0;
-    while (pose + 1 < _PoseCount && _Poses[pose + 1].FirstCorner <= index)
-        pose++;
+    for (uint step = MAX_POSES / 2; step > 0; step /= 2)
+    {
+        uint next = min(pose + step, _PoseCount - 1);
+        pose = (isCorner ? _Poses[next].FirstCorner : _Poses[next].Slice.w) <= index ? next : pose;
+    }
     return pose;
 }
 
 // A base cell of the dispatch, whose pose becomes that of the thread.
 Cell LoadBaseCell(uint index)
 {
-    s_pose = PoseOfCell(index);
+    s_pose = PoseOf(index, false);
     uint4 slice = _Poses[s_pose].Slice;
     uint inSlice = index - slice.w;
     Cell cell = (Cell)0;
     cell.Position = SliceStart() + uint2(inSlice % slice.z, inSlice / slice.z);
     cell.Pose = s_pose;
+    cell.Number = index;
+    cell.Whole = NO_CELL;
     return cell;
 }
 
@@ -64,16 +60,16 @@ Cell LoadCell(uint index)
 {
     if (_Round == 0)
         return LoadBaseCell(index);
-    Cell cell = _TubeCells[index];
+    Cell cell = _TubeCells[ElementOfList(TUBE_CELLS, index, BLOCK_CELLS, _ListCapacity.y)];
+    cell.Number = index;
     s_pose = cell.Pose;
     return cell;
 }
 
-// Number of a corner of a cell, in their order around it.
-uint CornerOfCell(uint index, uint corner)
+// Number of a corner of a cell of a round. at: 0 or 1 along u and v.
+uint CornerOfCell(uint index, uint2 at, uint round)
 {
-    uint2 at = uint2(CornerOf(corner) > 0.0);
-    if (_Round == 0)
+    if (round == 0)
     {
         uint4 slice = _Poses[s_pose].Slice;
         uint inSlice = index - slice.w;
@@ -87,7 +83,7 @@ uint CornerOfCell(uint index, uint corner)
 // Whether a corner of a patch is seen in the cell or within half its side: between rays it may reach into it.
 bool HasVertex(Cell cell)
 {
-    if (cell.Level >= _MaxLevel)
+    if (cell.Level >= MaxLevel())
         return false;
     float side = SideOfCell(cell);
     float2 centre = CentreOfCell(cell);

@@ -2,24 +2,23 @@
 #define GLINT_TUBE_BORDERS
 
 #include "TubeGrid.hlsl"
+#include "TubeDivisions.hlsl"
 #include "Sums.hlsl"
 
-// Cuts border cells in two along the border, or divides them into four cells of the next round. One thread a border cell.
+// Cuts border cells in two along the border, sums small ones as a whole, and divides those whose border is not straight. One
+// thread a border cell.
 
-void Divide(Cell cell)
+static const uint NO_BORDER = 0xffffffff;
+
+// Element of _Borders: those that are cut fill the first groups.
+uint BorderOfThread(uint index)
 {
-    uint first;
-    InterlockedAdd(_Sums[TUBE_CELLS], 4, first);
-    for (uint i = 0; i < 4; i++)
-        if (first + i < _ListCapacity.y)
-        {
-            Cell part = (Cell)0;
-            part.Position = 2 * cell.Position + uint2(i & 1, i >> 1);
-            part.Level = cell.Level + 1;
-            part.FirstBounce = cell.FirstBounce;
-            part.Pose = cell.Pose;
-            _TubeCells[first + i] = part;
-        }
+    uint capacity = _ListCapacity.z, cut = CountOfList(TUBE_BORDERS, capacity),
+        cutThreads = (cut + GLINT_GROUP - 1) / GLINT_GROUP * GLINT_GROUP;
+    if (index < cutThreads)
+        return index < cut ? ElementOfList(TUBE_BORDERS, index, 1, capacity) : NO_BORDER;
+    uint uncut = index - cutThreads;
+    return uncut < CountOfList(TUBE_UNCUT, capacity) ? capacity + ElementOfList(TUBE_UNCUT, uncut, 1, capacity) : NO_BORDER;
 }
 
 // Where the border is across the middle of its chord, as far as rays have found it.
@@ -67,13 +66,13 @@ void AddMissed(Cell cell)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = IndexOf(group, thread);
-    if (index >= min(_Sums[TUBE_BORDERS], _ListCapacity.z))
+    uint index = BorderOfThread(CountingThread(group, thread));
+    if (index == NO_BORDER)
         return;
     Cell cell = LoadBorder(index);
     Border border = BorderOf(cell);
     float side = SideOfCell(cell);
-    bool canDivide = cell.Level < _MaxLevel && !IsSmall(cell);
+    bool canDivide = CanDivide(cell);
     bool isStraight = ((cell.Crossings.x | cell.Crossings.y) & NO_CROSSING) == 0;
     if (canDivide && (!border.IsCut || !isStraight))
     {

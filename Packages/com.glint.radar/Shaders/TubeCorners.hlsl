@@ -4,7 +4,8 @@
 #include "TubeBlocks.hlsl"
 #include "Sums.hlsl"
 
-// Follows the rays through the corners of cells, and notes what they meet at each bounce. One thread a corner.
+// Follows the rays through the corners of cells, and notes what they meet at each bounce. One thread a corner. Of a cell
+// that was divided the corners are known; the middles of its sides and its centre are new.
 
 // Whether a base cell at a corner of the grid is to be traced.
 bool HasBaseCell(uint2 corner)
@@ -36,19 +37,23 @@ bool HasPart(uint block, uint2 corner)
 struct CornerPosition
 {
     float2 OnGrid;         // base cells
-    float Side;            // of its cells
+    uint Number;
+    uint Known;            // its number in the round before; NO_CORNER: none
     bool IsTraced;         // some cell needs it
     bool IsCounted;        // dispatches that share a base corner count it once
 };
 
+static const uint NO_CORNER = 0xffffffff, NEW_CORNERS = 5;
+
 CornerPosition PositionOf(uint index)
 {
     CornerPosition position;
-    position.Side = 1.0;
+    position.Number = index;
+    position.Known = NO_CORNER;
     position.IsCounted = true;
     if (_Round == 0)
     {
-        s_pose = PoseOfCorner(index);
+        s_pose = PoseOf(index, true);
         uint across = SliceSize().x + 1, number = index - _Poses[s_pose].FirstCorner;
         uint2 inSlice = uint2(number % across, number / across), corner = SliceStart() + inSlice;
         position.OnGrid = corner;
@@ -56,24 +61,46 @@ CornerPosition PositionOf(uint index)
         position.IsCounted = all(inSlice > 0 || corner == 0);
         return position;
     }
-    uint block = index / BLOCK_CORNERS, number = index % BLOCK_CORNERS;
-    uint2 at = uint2(number % 3, number / 3);
+    // The new corners of all blocks come first, since neighbouring threads then do the same.
+    uint newCorners = NEW_CORNERS * (CellCount() / BLOCK_CELLS), known = index - newCorners;
+    bool isNew = index < newCorners;
+    uint block = isNew ? index / NEW_CORNERS : known / BLOCK_CELLS;
+    uint place = isNew ? 2 * (index % NEW_CORNERS) + 1 : 0;
+    // Of nine places, row by row: 1, 3, 4, 5 and 7.
+    place = place == 5 ? 4 : place == 7 ? 5 : place == 9 ? 7 : place;
+    uint2 inWhole = uint2(known & 1, known >> 1 & 1), at = isNew ? uint2(place % 3, place / 3) : 2 * inWhole;
     Cell cell = LoadCell(BLOCK_CELLS * block);
-    position.Side = SideOfCell(cell);
-    position.OnGrid = position.Side * (cell.Position + at);
-    position.IsTraced = HasPart(block, at);
+    position.Number = BLOCK_CORNERS * block + at.x + 3 * at.y;
+    position.OnGrid = SideOfCell(cell) * (cell.Position + at);
+    if (!isNew && cell.Whole != NO_CELL)
+        position.Known = CornerOfCell(cell.Whole, inWhole, _Round - 1);
+    position.IsTraced = position.Known != NO_CORNER || HasPart(block, at);
     return position;
+}
+
+// Takes what the ray through a corner has met over from the round before.
+void CopyCorner(uint from, uint to)
+{
+    uint bounces = _CornersBefore[from].Bounces;
+    for (uint i = 0; i < max(bounces, 1); i++)
+        _Corners[to + i] = _CornersBefore[from + i];
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = IndexOf(group, thread), bounces = 0;
+    uint index = CountingThread(group, thread), bounces = 0;
     if (index >= CornerCount())
         return;
     CornerPosition position = PositionOf(index);
     if (!position.IsTraced)
         return;
+    uint first = position.Number * _MaxBounces;
+    if (position.Known != NO_CORNER)
+    {
+        CopyCorner(position.Known * _MaxBounces, first);
+        return;
+    }
     TubePath tube = BeginTube(position.OnGrid);
     SurfacePoint at;
     [loop]
@@ -85,15 +112,15 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.Signature = tube.Signature;
         corner.Bounces = 0;
         corner.Strength = StrengthAt(tube, at, receivers)
-            * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), position.Side));
+            * float2(1.0, BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin)));
         corner.Position = PlaceOf(tube);
         corner.AlongU = DifferentialOf(tube, tube.PlaceU, tube.LengthSlope.x);
         corner.AlongV = DifferentialOf(tube, tube.PlaceV, tube.LengthSlope.y);
-        _Corners[index * _MaxBounces + bounces++] = corner;
+        _Corners[first + bounces++] = corner;
         if (!ScatterTube(tube, at))
             break;
     }
-    _Corners[index * _MaxBounces].Bounces = bounces;
+    _Corners[first].Bounces = bounces;
     if (position.IsCounted)
         AddTo(CountWord(POSE_RAYS), 1);
 }

@@ -176,7 +176,7 @@ float3 RateAt(EdgePiece piece, float2 part, uint index)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint number = IndexOf(group, thread), index = number % _ReceiverCount;
+    uint number = CountingThread(group, thread), index = number % _ReceiverCount;
     if (!TakeOfPose(number, _EdgeRange.y * _ReceiverCount))
         return;
     EdgePiece piece = _EdgePieces[_EdgeRange.x + number / _ReceiverCount];

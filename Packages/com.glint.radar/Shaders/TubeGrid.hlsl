@@ -15,14 +15,21 @@ uint ReceiversOf(TubePath tube, SurfacePoint at)
     return receivers;
 }
 
-// Relative error of a piece of a cell by the curvatures of surface and wave at a hit: its phase is taken as linear.
-float BentErrorAt(TubePath tube, SurfacePoint at, Receiver receiver, float side)
+// Relative error of a piece of a cell of a side of one by the curvatures of surface and wave at a hit: its phase is taken as
+// linear.
+float BentOf(TubePath tube, SurfacePoint at, Receiver receiver)
 {
     float3 d = tube.Path.Ray.Direction;
     float surface = (1.0 - dot(receiver.Direction, d)) / dot(at.Normal, d);
     float bendU = surface * dot(at.NormalU, tube.PlaceU) - dot(tube.DirectionU, tube.PlaceU),
         bendV = surface * dot(at.NormalV, tube.PlaceV) - dot(tube.DirectionV, tube.PlaceV);
-    return min(1.0, 0.06 * _WaveNumber * side * side * (abs(bendU) + abs(bendV)));
+    return 0.06 * _WaveNumber * (abs(bendU) + abs(bendV));
+}
+
+// The same of a cell.
+float BentErrorAt(TubePath tube, SurfacePoint at, Receiver receiver, float side)
+{
+    return min(1.0, side * side * BentOf(tube, at, receiver));
 }
 
 // Signature of the ray through a position of the grid.

@@ -19,6 +19,10 @@
 #include "TubeCorners.hlsl"
 #elif defined(GLINT_CELLS)
 #include "TubeCells.hlsl"
+#elif defined(GLINT_OUTLINES)
+#include "TubeOutlines.hlsl"
+#elif defined(GLINT_CENTRES)
+#include "TubeCentres.hlsl"
 #elif defined(GLINT_SEA)
 #include "SeaFacets.hlsl"
 #elif defined(GLINT_FRINGES)

@@ -23,6 +23,42 @@ float2 CentreOfCell(Cell cell)
     return (float2(cell.Position) + 0.5) * SideOfCell(cell);
 }
 
+#ifdef GLINT_AMPLITUDE
+float _CellError;                          // of phasors times area that a cell may have, base cells
+uint _MaxLevel;                            // cells at it are not divided
+uint _MaxBisections;                       // of the sides of a base cell towards a border
+#endif
+
+// Error of p.C times area that a cell may have, m2.
+float CellError()
+{
+#ifdef GLINT_AMPLITUDE
+    return _CellError;
+#else
+    return _Poses[s_pose].CellError;
+#endif
+}
+
+// Level at which cells are not divided.
+uint MaxLevel()
+{
+#ifdef GLINT_AMPLITUDE
+    return _MaxLevel;
+#else
+    return _Poses[s_pose].MaxLevel;
+#endif
+}
+
+// Bisections of the sides of a base cell towards a border, at most.
+uint MaxBisections()
+{
+#ifdef GLINT_AMPLITUDE
+    return _MaxBisections;
+#else
+    return _Poses[s_pose].MaxBisections;
+#endif
+}
+
 // Error of a cell that is summed as a whole although its corners do not see the same, as a fraction of its area: of a straight
 // border anywhere in it the root mean square is 0.22 to 0.29 by its direction.
 static const float CRUDE_ERROR = 0.25;
@@ -31,14 +67,18 @@ static const float CRUDE_ERROR = 0.25;
 bool IsSmall(Cell cell)
 {
     float side = SideOfCell(cell);
-    return CRUDE_ERROR * side * side * cell.Strength <= _CellError;
+    return CRUDE_ERROR * side * side * cell.Strength <= CellError();
+}
+
+bool CanDivide(Cell cell)
+{
+    return cell.Level < MaxLevel() && !IsSmall(cell);
 }
 
 // Lists a cell among those through which a border runs.
-void AddBorder(Cell cell)
+void ListBorder(Cell cell)
 {
-    uint border;
-    InterlockedAdd(_Sums[TUBE_BORDERS], 1, border);
+    uint border = AddToList(TUBE_BORDERS, cell.IsDeep != 0, 1, _ListCapacity.z);
     if (border < _ListCapacity.z)
         _Borders[border] = cell;
 }
@@ -83,7 +123,7 @@ Border BorderOf(Cell cell)
         }
     }
     float side = SideOfCell(cell);
-    border.IsCut = areTwo && changes == 2 && !IsSmall(cell) && side * side * cell.Bent <= _CellError;
+    border.IsCut = areTwo && changes == 2 && !IsSmall(cell) && side * side * cell.Bent <= CellError();
     return border;
 }
 
@@ -98,8 +138,8 @@ static const float FIRST_ERROR = 0.8;
 // eighth of a cell's error: two rays more, where a division takes twenty.
 uint BisectionsOf(Cell cell)
 {
-    float side = SideOfCell(cell), halvings = ceil(log2(FIRST_ERROR * side * side * cell.Strength / _CellError));
-    return (uint)clamp(halvings, 1.0, max(2.0, (float)_MaxBisections - 2.0 * cell.Level));
+    float side = SideOfCell(cell), halvings = ceil(log2(FIRST_ERROR * side * side * cell.Strength / CellError()));
+    return (uint)clamp(halvings, 1.0, max(2.0, (float)MaxBisections() - 2.0 * cell.Level));
 }
 
 // A place on a side, from the centre of the cell, at a fraction of its length from its end at the first signature.

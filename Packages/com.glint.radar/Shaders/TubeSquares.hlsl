@@ -96,7 +96,7 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
             float2 falls = 1.0 / max(abs(x), 1.0);
             if (step == 0)
             {
-                if (error * falls.x * falls.y * side * side * most > _CellError)
+                if (error * falls.x * falls.y * side * side * most > CellError())
                     return false;
                 continue;
             }

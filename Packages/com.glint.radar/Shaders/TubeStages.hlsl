@@ -131,24 +131,51 @@ void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
 }
 
-// Groups for the border cells of this round; a new list of cells begins.
+// Cells of a list that is filled from both ends.
+uint GroupsOfList(uint count, uint capacity)
+{
+    return GroupsOf(_Sums[count] + _Sums[count + 1], capacity, GLINT_GROUP);
+}
+
+void ClearList(uint count)
+{
+    _Sums[count] = 0;
+    _Sums[count + 1] = 0;
+}
+
+// Groups for the rays that the cells of this round have listed.
+[numthreads(1, 1, 1)]
+void PrepareRays()
+{
+    StoreGroups(OUTLINE_ARGUMENTS, GroupsOf(_Sums[TUBE_OUTLINES], _ListCapacity.x, GLINT_GROUP), 1);
+    StoreGroups(CENTRE_ARGUMENTS, GroupsOfList(TUBE_CENTRES, _ListCapacity.w), 1);
+}
+
+// Groups for the border cells of this round.
 [numthreads(1, 1, 1)]
 void PrepareBorders()
 {
-    StoreGroups(BORDER_ARGUMENTS, GroupsOf(_Sums[TUBE_BORDERS], _ListCapacity.z, GLINT_GROUP), 1);
-    StoreGroups(BISECT_ARGUMENTS, GroupsOf(2 * _Sums[TUBE_BORDERS], 2 * _ListCapacity.z, GLINT_GROUP), 1);
-    _Sums[TUBE_CELLS] = 0;
+    uint cut = GroupsOfList(TUBE_BORDERS, _ListCapacity.z);
+    StoreGroups(BORDER_ARGUMENTS, cut + GroupsOfList(TUBE_UNCUT, _ListCapacity.z), 1);
+    StoreGroups(BISECT_ARGUMENTS, 2 * cut, 1);
 }
 
-// Groups for the cells of the next round, and for the tubes so far; a new list of borders begins.
+// Groups for the cells of the next round, and for the tubes so far; new lists begin.
 [numthreads(1, 1, 1)]
 void PrepareCells()
 {
-    StoreGroups(CELL_ARGUMENTS, GroupsOf(_Sums[TUBE_CELLS], _ListCapacity.y, GLINT_GROUP), 1);
-    StoreGroups(CORNER_ARGUMENTS, GroupsOf(BLOCK_CORNERS * (_Sums[TUBE_CELLS] / BLOCK_CELLS),
+    uint cells = _Sums[TUBE_NEXT_CELLS] + _Sums[TUBE_NEXT_CELLS + 1];
+    StoreGroups(CELL_ARGUMENTS, GroupsOf(cells, _ListCapacity.y, GLINT_GROUP), 1);
+    StoreGroups(CORNER_ARGUMENTS, GroupsOf(BLOCK_CORNERS * (cells / BLOCK_CELLS),
         BLOCK_CORNERS * (_ListCapacity.y / BLOCK_CELLS), GLINT_GROUP), 1);
     StoreGroups(TUBE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, TUBES_A_GROUP), _FrequencyGroups);
-    _Sums[TUBE_BORDERS] = 0;
+    _Sums[TUBE_CELLS] = _Sums[TUBE_NEXT_CELLS];
+    _Sums[TUBE_CELLS + 1] = _Sums[TUBE_NEXT_CELLS + 1];
+    ClearList(TUBE_NEXT_CELLS);
+    ClearList(TUBE_CENTRES);
+    ClearList(TUBE_BORDERS);
+    ClearList(TUBE_UNCUT);
+    _Sums[TUBE_OUTLINES] = 0;
 }
 
 #endif

@@ -9,7 +9,7 @@ namespace Glint.Tests
         // 6 rays a cell are assumed.
         [Test]
         public void FirstAttempt_HasCellsOfTheRaysAssumed() =>
-            Assert.That(CellsFrom(Begun(1), 0, 5000), Is.EqualTo(166));
+            Assert.That(CellsFrom(Begun(1), 0, 5000), Is.EqualTo(333));
 
         // 100 cells of one ray, then cells of 20: at the same error the slice has the first and 45 of the others.
         [Test]

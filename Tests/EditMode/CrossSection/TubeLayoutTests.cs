@@ -34,7 +34,8 @@ namespace Glint.Tests
             var cell = new TubeCell
             {
                 Position = uint2(25, 26), Level = 27, FirstBounce = 28, Signatures = uint4(29, 30, 31, 32),
-                Strength = 33, Bent = 34, Crossings = uint2(35, 36), Pose = 161
+                Strength = 33, Bent = 34, Crossings = uint2(35, 36), Pose = 161, Number = 162, Whole = 163,
+                IsDeep = 164
             };
             var piece = new EdgePiece
             {
@@ -60,11 +61,12 @@ namespace Glint.Tests
                 DirectionDy = Row(121), SentV = Row(125), SentH = Row(129), GridX = Row(133), GridY = Row(137),
                 GridDepth = Row(141), Slice = uint4(145, 146, 147, 148), Cells = uint2(149, 150), Blocks = uint2(151, 152),
                 Reference = float2(153, 154), FirstCorner = 155, OriginDepth = 156, RadarPhase = 157,
-                Unused = uint3(158, 159, 160)
+                CellError = 158,
+                MaxLevel = 159, MaxBisections = 160
             };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
                 || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68)
-                || field >= 81 && field <= 86 || field >= 145 && field <= 152 || field == 155 || field >= 158;
+                || field >= 81 && field <= 86 || field >= 145 && field <= 152 || field == 155 || field >= 159;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
@@ -74,7 +76,7 @@ namespace Glint.Tests
                 fields.Bind("_SeaTileIn", tile);
                 fields.Bind("_CornerIn", corner);
                 fields.Bind("_TubePoseIn", pose);
-                Assert.That(fields.Unpack(161), Is.EqualTo(Enumerable.Range(1, 161)
+                Assert.That(fields.Unpack(164), Is.EqualTo(Enumerable.Range(1, 164)
                     .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
             }
         }
@@ -89,7 +91,7 @@ namespace Glint.Tests
                 {
                     ["TUBE_COUNT"] = TubeSums.Count, ["TUBE_OVERFLOW"] = TubeSums.Overflow,
                     ["MAX_POSES"] = TubeKernels.MaxPoses, ["POSE_COUNTS"] = TubeSums.FirstPose,
-                    ["POSE_COUNT_WORDS"] = TubeSums.PoseWords, ["POSE_TUBES"] = TubeSums.PoseTubes,
+                    ["POSE_COUNT_WORDS"] = TubeSums.PoseWords, ["POSE_COPIES"] = TubeSums.PoseCopies, ["POSE_TUBES"] = TubeSums.PoseTubes,
                     ["POSE_RAYS"] = TubeSums.PoseRays, ["POSE_BORDER_RAYS"] = TubeSums.PoseBorderRays,
                     ["TUBE_SUMS"] = TubeKernels.FirstSum, ["RECEIVER_ROWS"] = 3,
                     ["TUBE_SUM_WORDS"] = TubeKernels.SumWords,
@@ -107,6 +109,8 @@ namespace Glint.Tests
                     ["CELL_ARGUMENTS"] = TubeRounds.CellArguments, ["TUBE_ARGUMENTS"] = TubeRounds.TubeArguments,
                     ["BISECT_ARGUMENTS"] = TubeRounds.BisectArguments,
                     ["CORNER_ARGUMENTS"] = TubeRounds.CornerArguments,
+                    ["CENTRE_ARGUMENTS"] = TubeRounds.CentreArguments,
+                    ["OUTLINE_ARGUMENTS"] = TubeRounds.OutlineArguments,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
                 }));
@@ -137,17 +141,20 @@ namespace Glint.Tests
         public void Words_DoNotOverlap()
         {
             var constants = ShaderConstants.Of("TubeBindings.hlsl");
-            double[] counts = { constants["TUBE_COUNT"], constants["TUBE_CELLS"], constants["TUBE_BORDERS"],
-                constants["TUBE_OVERFLOW"] };
+            // Lists that are filled from both ends have two counts.
+            var counts = new[] { "COUNT", "OVERFLOW", "OUTLINES" }.Select(name => constants["TUBE_" + name])
+                .Concat(new[] { "CELLS", "NEXT_CELLS", "CENTRES", "BORDERS", "UNCUT" }
+                    .SelectMany(name => new[] { constants["TUBE_" + name], constants["TUBE_" + name] + 1 })).ToArray();
             Assert.That(counts, Is.Unique);
             Assert.That(counts, Is.All.LessThan(TubeSums.FirstPose));
-            Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));
+            Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeSums.PoseCopies * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));
             Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,
-                TubeRounds.BisectArguments, TubeRounds.CornerArguments };
-            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48 }));
-            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(48 + 12));
+                TubeRounds.BisectArguments, TubeRounds.CornerArguments, TubeRounds.CentreArguments,
+                TubeRounds.OutlineArguments };
+            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72 }));
+            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(72 + 12));
         }
 
         // Tags of tubes have 8 bits for the receiver, 8 for the bounce, and the corners above.
@@ -161,7 +168,8 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_VERTICES", "MAX_SIDES", "MAX_LISTED_SIDES",
+        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "TUBE_UNCUT",
+            "TUBE_NEXT_CELLS", "TUBE_CENTRES", "TUBE_OUTLINES", "NO_CELL", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_VERTICES", "MAX_SIDES", "MAX_LISTED_SIDES",
             "TUBE_POINTS" };
     }
 }

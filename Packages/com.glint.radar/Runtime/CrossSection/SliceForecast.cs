@@ -11,7 +11,7 @@ namespace Glint
     sealed class SliceForecast
     {
         // Rays grow with 1 / error, by this power: 0.7 to 1 on a ship. Those of a cell before the first attempt.
-        const double Growth = 0.8, UnknownRaysACell = 6;
+        const double Growth = 0.8, UnknownRaysACell = 3;
 
         List<(long End, double RaysACell)> _before, _now = new List<(long, double)>();
         double _error, _growth;

@@ -33,7 +33,6 @@ namespace Glint
         public uint4 Signatures;
         public float Strength, Bent;
         public uint2 Crossings;
-        public uint Pose;
-        public uint3 Unused;
+        public uint Pose, Number, Whole, IsDeep;
     }
 }

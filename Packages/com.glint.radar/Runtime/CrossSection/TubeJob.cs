@@ -28,11 +28,20 @@ namespace Glint
         /// <summary>Error that a cell may have, as a fraction of what a conducting plate of a base cell returns.</summary>
         public double CellError { get; private set; }
 
+        // A division makes a cell's share a quarter; a bisection halves the error of its border. Where curved surfaces
+        // focus, a base cell returns up to 64 times what a plate does.
+        public int MaxLevel => (int)Math.Ceiling(0.5 * Math.Log(1.2 / CellError, 2)) + 3;
+
+        public int MaxBisections => (int)Math.Ceiling(Math.Log(1 / CellError, 2)) + 8;
+
         /// <summary>First cell of the next slice.</summary>
         public long Next { get; private set; }
 
         /// <summary>Cells of the attempt that are not traced yet.</summary>
         public long Left => Grid.Count - Next;
+
+        /// <summary>Done of the attempt, 0 to 1.</summary>
+        public double Fraction => 1 - (double)Left / Grid.Count;
 
         /// <summary>Of the last attempt.</summary>
         public CrossSectionResult Result { get; private set; }
@@ -40,19 +49,20 @@ namespace Glint
         /// <summary>Whether no attempt follows.</summary>
         public bool IsDone { get; set; }
 
-        /// <summary>Plans an attempt.</summary>
-        public void Plan(double cellError)
+        /// <summary>Begins an attempt.</summary>
+        public void Begin(double cellError)
         {
             CellError = cellError;
-            Next = Grid.Count;
-        }
-
-        /// <summary>Begins the attempt.</summary>
-        public void Begin()
-        {
             Sums = new TubeSums(Pose, Grid);
             Next = 0;
-            _forecast.Begin(CellError);
+            _forecast.Begin(cellError);
+        }
+
+        /// <summary>Tells the kernels how finely cells are divided and borders found.</summary>
+        public void SetAccuracy(ref TubePose pose)
+        {
+            pose.CellError = (float)(CellError * 2 * Grid.Side * Grid.Side);
+            (pose.MaxLevel, pose.MaxBisections) = ((uint)MaxLevel, (uint)MaxBisections);
         }
 
         /// <summary>Cells of the next slice; takes their rays from those left.</summary>
@@ -69,6 +79,13 @@ namespace Glint
         {
             int across = Grid.Cells.x, left = across - (int)(Next % across);
             return (int)(left < across || count < across ? Math.Min(count, left) : count / across * across);
+        }
+
+        /// <summary>Cells of a slice that have no more than a number of corners.</summary>
+        public long CellsWithin(long corners)
+        {
+            long across = Grid.Cells.x + 1;
+            return corners < 2 * across ? corners / 2 - 1 : (corners / across - 1) * Grid.Cells.x;
         }
 
         /// <summary>Ends a slice.</summary>

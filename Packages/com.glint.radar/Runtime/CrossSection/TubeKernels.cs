@@ -14,10 +14,10 @@ namespace Glint
         public const int MaxReceivers = 16;
 
         /// <summary>Words of the output before the sums, and of each sum: TUBE_SUMS, TUBE_SUM_WORDS.</summary>
-        public const int FirstSum = 80, SumWords = 32;
+        public const int FirstSum = 4120, SumWords = 32;
 
         /// <summary>Poses of a dispatch at most: MAX_POSES.</summary>
-        public const int MaxPoses = 16;
+        public const int MaxPoses = 64;
 
         /// <summary>Words of the sums of a part: PART_WORDS.</summary>
         public const int PartWords = 16;
@@ -44,18 +44,21 @@ namespace Glint
         readonly DeviceBuffer<TubePose> _poses = new DeviceBuffer<TubePose>("poses");
         readonly DeviceBuffer<float4> _receivers = new DeviceBuffer<float4>("receivers");
         TubePose[] _slices;
-        readonly int _clearMarks, _mark, _outlines, _cover, _corners, _cells, _fringes, _points, _parts;
+        readonly int _clearMarks, _mark, _outlines, _cover, _corners, _cells, _raysBeside, _centres, _fringes, _points, _parts;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
         {
             _shader = shader;
-            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders", "TubeCorners");
+            var rays = new TubeRounds.RayKernels(shader);
+            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders", rays);
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
             _outlines = shader.FindKernel("MarkOutlines");
             _cover = shader.FindKernel("MarkCover");
-            _corners = shader.FindKernel("TubeCorners");
+            _corners = rays.Corners;
+            _raysBeside = rays.Outlines;
+            _centres = rays.Centres;
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
             _points = shader.FindKernel("TubePoints");
@@ -65,7 +68,7 @@ namespace Glint
         /// <summary>Sets the scene.</summary>
         public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
         {
-            foreach (int kernel in _rounds.Tracing.Append(_fringes).Append(_points))
+            foreach (int kernel in _rounds.Kernels.Append(_fringes).Append(_points))
             {
                 _shader.SetBvhs(kernel, scene);
                 _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
@@ -85,9 +88,9 @@ namespace Glint
             _slices = jobs.Select(job => new TubePose(job.Pose, job.Grid, BlocksOf(job.Grid))).ToArray();
             _poses.Upload(_slices);
             _receivers.Upload(jobs.SelectMany(job => ReceiverRows(job.Pose, rays.SceneCentre)).ToArray());
-            foreach (int kernel in _rounds.Tracing.Concat(new[] { _fringes, _points }))
+            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points }))
                 _shader.SetBuffer(kernel, TubeIDs._Receivers, _receivers.Buffer);
-            foreach (int kernel in _rounds.Tracing.Concat(new[] { _fringes, _points, _mark, _outlines, _cover }))
+            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points, _mark, _outlines, _cover }))
                 _shader.SetBuffer(kernel, TubeIDs._Poses, _poses.Buffer);
             _shader.SetInt(TubeIDs._PoseCount, jobs.Count);
             SetReceivers(_shader, pose);
@@ -135,10 +138,6 @@ namespace Glint
             _shader.SetFloat(TubeIDs._UnitsPerSquareMetre, (float)sums.UnitsPerSquareMetre);
         }
 
-        /// <inheritdoc cref="TubeRounds.SetAccuracy"/>
-        public void SetAccuracy(double cellError, int maxLevel, int maxBisections) =>
-            _rounds.SetAccuracy(cellError, maxLevel, maxBisections);
-
         /// <summary>Sums S of all receivers and frequencies.</summary>
         public void SumAll()
         {
@@ -156,24 +155,22 @@ namespace Glint
         }
 
         /// <inheritdoc cref="TubeRounds.SetLists"/>
-        public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<uint> tubeParts,
-            DeviceBuffer<float4> tubeRates, DeviceBuffer<TubeCell> cells, DeviceBuffer<TubeCell> borders,
-            DeviceBuffer<TubeCorner> corners, DeviceBuffer<float4> waveNumbers, int cellCapacity)
+        /// <param name="tubeParts">The part of each tube; one element if they are not asked for.</param>
+        /// <param name="tubeRates">The rate of each tube; one element if nothing moves.</param>
+        public void SetLists(TubeLists lists, DeviceBuffer<uint> tubeParts, DeviceBuffer<float4> tubeRates)
         {
-            foreach (int kernel in new[] { _corners, _cells })
-                _shader.SetBuffer(kernel, TubeIDs._Corners, corners.Buffer);
-            _rounds.SetLists(output, tubes, cells, borders, waveNumbers, cellCapacity);
-            foreach (int kernel in _rounds.Tracing.Concat(new[] { _rounds.Summing, _fringes, _points, _parts }))
+            _rounds.SetLists(lists);
+            foreach (int kernel in _rounds.Kernels.Concat(new[] { _rounds.Summing, _fringes, _points, _parts }))
                 _shader.SetBuffer(kernel, TubeIDs._TubeRates, tubeRates.Buffer);
             foreach (int kernel in new[] { _fringes, _points, _parts })
             {
-                _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
-                _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
+                _shader.SetBuffer(kernel, ShaderIDs._Sums, lists.Output.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Tubes, lists.Tubes.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._TubeParts, tubeParts.Buffer);
             }
-            foreach (int kernel in _rounds.Tracing)
+            foreach (int kernel in _rounds.Kernels)
                 _shader.SetBuffer(kernel, TubeIDs._TubeParts, tubeParts.Buffer);
-            _shader.SetBuffer(_parts, TubeIDs._WaveNumbers, waveNumbers.Buffer);
+            _shader.SetBuffer(_parts, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
         }
 
         /// <summary>Words of the marks of a grid: lists of corners and sides a cell, the cover, a count of links.</summary>
@@ -205,11 +202,11 @@ namespace Glint
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
             foreach (int kernel in new[] { _mark, _outlines })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenLinks, links.Buffer);
-            foreach (int kernel in new[] { _outlines, _cells })
+            foreach (int kernel in new[] { _outlines, _cells, _raysBeside })
                 _shader.SetBuffer(kernel, TubeIDs._Sides, surfaces.Sides.Buffer);
-            foreach (int kernel in new[] { _corners, _cells, _points })
+            foreach (int kernel in new[] { _corners, _cells, _raysBeside, _centres, _points })
                 _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
-            foreach (int kernel in new[] { _corners, _cells })
+            foreach (int kernel in new[] { _corners, _cells, _raysBeside, _centres })
                 _shader.SetBuffer(kernel, TubeIDs._Links, links.Buffer);
             _shader.DispatchThreads(_clearMarks, (long)poses * markWords);
             _shader.DispatchThreads(_mark, (long)poses * surfaces.VertexCount);
@@ -224,14 +221,15 @@ namespace Glint
         /// Traces base cells of each pose, in rounds the parts of those that are divided, and sums the tubes.
         /// </summary>
         /// <param name="slices">Of each pose, the first cell and their number: whole rows, or a part of one.</param>
-        public void Trace((long First, int Count)[] slices, int rounds, int bisections)
+        public void Trace(IReadOnlyList<TubeJob> jobs, (long First, int Count)[] slices)
         {
-            var (cells, corners) = SetSlices(slices);
-            _rounds.Trace(cells, corners, rounds, bisections);
+            var (cells, corners) = SetSlices(jobs, slices);
+            var traced = jobs.Where((job, i) => slices[i].Count > 0).ToArray();
+            _rounds.Trace(cells, corners, traced.Max(job => job.MaxLevel) + 1, traced.Max(job => job.MaxBisections));
         }
 
         // Returns the base cells of all poses, and their corners.
-        (int Cells, int Corners) SetSlices((long First, int Count)[] slices)
+        (int Cells, int Corners) SetSlices(IReadOnlyList<TubeJob> jobs, (long First, int Count)[] slices)
         {
             int cells = 0, corners = 0;
             for (int i = 0; i < slices.Length; i++)
@@ -239,22 +237,26 @@ namespace Glint
                 int count = slices[i].Count, across = Math.Max(1, Math.Min(count, (int)_slices[i].Cells.x));
                 _slices[i].Slice = new uint4((uint)slices[i].First, (uint)count, (uint)across, (uint)cells);
                 _slices[i].FirstCorner = (uint)corners;
+                jobs[i].SetAccuracy(ref _slices[i]);
                 cells += count;
-                corners += CornersOf(count, across);
+                corners += CornersOf(count, (int)_slices[i].Cells.x);
             }
             _poses.Upload(_slices);
             _shader.SetInts(TubeIDs._BaseCounts, cells, corners);
             return (cells, corners);
         }
 
-        static int CornersOf(int cells, int across) => cells == 0 ? 0 : (across + 1) * (cells / across + 1);
+        /// <summary>Corners of cells of a slice: whole rows, or a part of one.</summary>
+        /// <param name="across">Cells of a row.</param>
+        public static int CornersOf(int cells, int across) =>
+            cells == 0 ? 0 : cells < across ? 2 * (cells + 1) : (across + 1) * (cells / across + 1);
 
         /// <summary>Sums the currents at points of a uniform grid in base cells.</summary>
         /// <param name="across">Points along a side of a base cell.</param>
         /// <param name="offset">Of the first point of a base cell, in spacings of points.</param>
-        public void TracePoints(long first, int count, int across, double2 offset)
+        public void TracePoints(TubeJob job, int count, int across, double2 offset)
         {
-            SetSlices(new[] { (first, count) });
+            SetSlices(new[] { job }, new[] { (job.Next, count) });
             _shader.SetInt(TubeIDs._Round, 0);
             _shader.SetInt(TubeIDs._PointsAcross, across);
             _shader.SetVector(TubeIDs._FirstPoint, new Vector4((float)offset.x, (float)offset.y));

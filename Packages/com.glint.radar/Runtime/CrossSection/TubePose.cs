@@ -13,8 +13,8 @@ namespace Glint
         public uint2 Cells, Blocks;
         public float2 Reference;
         public uint FirstCorner;
-        public float OriginDepth, RadarPhase;
-        public uint3 Unused;
+        public float OriginDepth, RadarPhase, CellError;
+        public uint MaxLevel, MaxBisections;
 
         /// <summary>A pose of which no cell is traced.</summary>
         /// <param name="blocks">Of the cover.</param>

@@ -1,7 +1,6 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
-using Glint.Core;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -12,30 +11,50 @@ namespace Glint
     sealed class TubeRounds : IDisposable
     {
         /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
-        public const int ArgumentWords = 15;
+        public const int ArgumentWords = 21;
+
+        /// <inheritdoc cref="ArgumentWords"/>
+        public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36,
+            CornerArguments = 48, CentreArguments = 60, OutlineArguments = 72;
 
         // Rays that a thread traces at most: a software device ends a thread's loops after 65,535 iterations in all.
         readonly int _raysAThread = SoftwareDevice.IsInUse ? 4 : 32;
 
-        /// <inheritdoc cref="ArgumentWords"/>
-        public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36, CornerArguments = 48;
-
         readonly ComputeShader _shader;
         readonly int _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums;
-        readonly int? _corners;
+        readonly RayKernels _rays;
         int _summing;                      // _sums or another kernel
+        TubeLists _lists;
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
 
+        /// <summary>Kernels that trace rays before and after that of the cells.</summary>
+        public sealed class RayKernels
+        {
+            /// <summary>Before: those through the corners of cells.</summary>
+            public readonly int Corners;
+
+            /// <summary>After: groups for those that the kernel of the cells has listed.</summary>
+            public readonly int Prepare;
+
+            /// <summary>Then those beside outlines, and those through the centres of cells.</summary>
+            public readonly int Outlines, Centres;
+
+            public RayKernels(ComputeShader shader)
+            {
+                Corners = shader.FindKernel("TubeCorners");
+                Prepare = shader.FindKernel("PrepareRays");
+                Outlines = shader.FindKernel("TubeOutlines");
+                Centres = shader.FindKernel("TubeCentres");
+            }
+        }
+
         /// <param name="cells">Name of the kernel that takes a thread for a cell.</param>
         /// <param name="borders">Name of the kernel that takes a thread for a border cell.</param>
-        /// <param name="corners">
-        /// Name of the kernel that takes a thread for a corner of cells, before that of the cells; null: none.
-        /// </param>
-        public TubeRounds(ComputeShader shader, string cells, string borders, string corners = null)
+        /// <param name="rays">Null: the kernel of the cells traces their rays.</param>
+        public TubeRounds(ComputeShader shader, string cells, string borders, RayKernels rays = null)
         {
-            _shader = shader;
-            _corners = corners == null ? (int?)null : shader.FindKernel(corners);
+            (_shader, _rays) = (shader, rays);
             _clear = shader.FindKernel("ClearTubes");
             _cells = shader.FindKernel(cells);
             _prepareBorders = shader.FindKernel("PrepareBorders");
@@ -44,57 +63,44 @@ namespace Glint
             _prepareCells = shader.FindKernel("PrepareCells");
             _sums = shader.FindKernel("TubeSums");
             _summing = _sums;
-            Tracing = new[] { _cells, _bisect, _borders };
-            if (_corners is int traced)
-                Tracing = Tracing.Append(traced).ToArray();
+            Kernels = new[] { _cells, _bisect, _borders };
+            if (rays != null)
+                Kernels = Kernels.Concat(new[] { rays.Corners, rays.Outlines, rays.Centres }).ToArray();
         }
 
         /// <summary>The kernel TubeSums.</summary>
         public int Summing => _sums;
 
-        /// <summary>The kernels that trace rays.</summary>
-        public int[] Tracing { get; }
-
-        /// <summary>An element of _WaveNumbers in Shaders/TubeBindings.hlsl.</summary>
-        /// <param name="time">Of the sample, seconds.</param>
-        public static float4 WaveNumber(double frequency, double time = 0)
-        {
-            double turns = 1 / Signal.Wavelength(frequency);
-            return new float4((float)(2 * Math.PI * turns), (float)turns, DoubleFloat.Lo(turns), (float)time);
-        }
+        /// <summary>The kernels of cells, borders and rays.</summary>
+        public int[] Kernels { get; }
 
         /// <summary>Sums tubes by another kernel; null: by TubeSums.</summary>
         public void SumBy(int? kernel) => _summing = kernel ?? _sums;
 
-        /// <summary>Sets how finely cells are divided and borders found.</summary>
-        /// <param name="cellError">Error that a cell may have, of its coefficient times area.</param>
-        /// <param name="maxLevel">Divisions of a base cell at most.</param>
-        /// <param name="maxBisections">Of the sides of a base cell towards a border.</param>
-        public void SetAccuracy(double cellError, int maxLevel, int maxBisections)
-        {
-            _shader.SetFloat(TubeIDs._CellError, (float)cellError);
-            _shader.SetInt(TubeIDs._MaxLevel, maxLevel);
-            _shader.SetInt(TubeIDs._MaxBisections, maxBisections);
-        }
-
         /// <summary>Sets the lists that the kernels leave to each other.</summary>
-        /// <param name="cellCapacity">Cells of a round at most: the list may be longer.</param>
-        public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
-            DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers, int cellCapacity)
+        public void SetLists(TubeLists lists)
         {
-            foreach (int kernel in Tracing.Concat(new[] { _clear, _prepareBorders, _prepareCells, _sums }))
-                _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
-            foreach (int kernel in new[] { _cells, _bisect, _borders, _sums })
-                _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
-            foreach (int kernel in Tracing)
-            {
-                _shader.SetBuffer(kernel, TubeIDs._TubeCells, cells.Buffer);
-                _shader.SetBuffer(kernel, TubeIDs._Borders, borders.Buffer);
-            }
-            foreach (int kernel in new[] { _prepareBorders, _prepareCells })
+            _lists = lists;
+            var stages = new List<int> { _clear, _prepareBorders, _prepareCells };
+            if (_rays != null)
+                stages.Add(_rays.Prepare);
+            foreach (int kernel in stages)
                 _shader.SetBuffer(kernel, ShaderIDs._Arguments, _arguments);
-            _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, waveNumbers.Buffer);
-            _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cellCapacity, borders.Capacity, 0);
+            foreach (int kernel in Kernels.Concat(stages).Append(_sums))
+                _shader.SetBuffer(kernel, ShaderIDs._Sums, lists.Output.Buffer);
+            foreach (int kernel in Kernels.Append(_sums))
+                _shader.SetBuffer(kernel, TubeIDs._Tubes, lists.Tubes.Buffer);
+            foreach (int kernel in Kernels)
+            {
+                _shader.SetBuffer(kernel, TubeIDs._Borders, lists.Borders.Buffer);
+                if (_rays == null)
+                    continue;
+                _shader.SetBuffer(kernel, TubeIDs._Centres, lists.Centres.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Outlines, lists.Outlines.Buffer);
+            }
+            _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
+            _shader.SetInts(TubeIDs._ListCapacity, lists.Tubes.Capacity, lists.CellCapacity, lists.Borders.Capacity / 2,
+                lists.Centres.Capacity / 2);
         }
 
         /// <summary>Clears counts and sums.</summary>
@@ -107,22 +113,21 @@ namespace Glint
         /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
         /// <param name="count">Of the base cells.</param>
         /// <param name="corners">Of their corners, if a kernel takes them.</param>
+        /// <param name="bisections">Of the sides of a base cell at most.</param>
         public void Trace(int count, int corners, int rounds, int bisections)
         {
             for (int round = 0; round < rounds; round++)
             {
-                _shader.SetInt(TubeIDs._Round, round);
-                if (_corners is int kernel)
+                SetRound(round);
+                if (_rays != null)
+                    Dispatch(_rays.Corners, round, corners, CornerArguments);
+                Dispatch(_cells, round, count, CellArguments);
+                if (_rays != null)
                 {
-                    if (round == 0)
-                        _shader.DispatchThreads(kernel, corners);
-                    else
-                        _shader.DispatchIndirect(kernel, _arguments, CornerArguments);
+                    _shader.Dispatch(_rays.Prepare, 1, 1, 1);
+                    _shader.DispatchIndirect(_rays.Outlines, _arguments, OutlineArguments);
+                    _shader.DispatchIndirect(_rays.Centres, _arguments, CentreArguments);
                 }
-                if (round == 0)
-                    _shader.DispatchThreads(_cells, count);
-                else
-                    _shader.DispatchIndirect(_cells, _arguments, CellArguments);
                 _shader.Dispatch(_prepareBorders, 1, 1, 1);
                 for (int step = 0; step < Math.Max(2, bisections - 2 * round); step += _raysAThread)
                 {
@@ -133,6 +138,30 @@ namespace Glint
                 _shader.Dispatch(_prepareCells, 1, 1, 1);
             }
             _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
+        }
+
+        // Rounds read what the one before has written.
+        void SetRound(int round)
+        {
+            _shader.SetInt(TubeIDs._Round, round);
+            int now = round & 1;
+            foreach (int kernel in Kernels)
+            {
+                _shader.SetBuffer(kernel, TubeIDs._TubeCells, _lists.Cells[now].Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._NextCells, _lists.Cells[1 - now].Buffer);
+                if (_rays == null)
+                    continue;
+                _shader.SetBuffer(kernel, TubeIDs._Corners, _lists.Corners[now].Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._CornersBefore, _lists.Corners[1 - now].Buffer);
+            }
+        }
+
+        void Dispatch(int kernel, int round, int count, uint arguments)
+        {
+            if (round == 0)
+                _shader.DispatchThreads(kernel, count);
+            else
+                _shader.DispatchIndirect(kernel, _arguments, arguments);
         }
 
         /// <summary>Sums tubes that another kernel has listed.</summary>

@@ -9,10 +9,10 @@ namespace Glint
     sealed class TubeSums
     {
         /// <summary>Words of the output.</summary>
-        public const int Count = 0, Overflow = 3;
+        public const int Count = 0, Overflow = 1;
 
         /// <summary>Counts of each pose, and words of those of a pose.</summary>
-        public const int FirstPose = 16, PoseWords = 4, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2;
+        public const int FirstPose = 24, PoseWords = 4, PoseCopies = 16, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2;
 
         /// <summary>Sums of a receiver and sample, two words each, and the word after them.</summary>
         public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
@@ -54,10 +54,15 @@ namespace Glint
             + TubeKernels.SumWords * CopiesOf(pose) * poses * SlotsOf(pose) * pose.Samples;
 
         /// <summary>Rays of a pose in an output.</summary>
-        public static long RaysOf(uint[] output, int number)
+        public static long RaysOf(uint[] output, int number) =>
+            CountOf(output, number, PoseRays) + CountOf(output, number, PoseBorderRays);
+
+        static long CountOf(uint[] output, int number, int count)
         {
-            int first = FirstPose + PoseWords * number;
-            return (long)output[first + PoseRays] + output[first + PoseBorderRays];
+            long sum = 0;
+            for (int copy = 0; copy < PoseCopies; copy++)
+                sum += output[FirstPose + PoseWords * (copy * TubeKernels.MaxPoses + number) + count];
+            return sum;
         }
 
         /// <summary>Rays traced.</summary>
@@ -81,7 +86,7 @@ namespace Glint
         /// <exception cref="GlintException">A contribution is too large for a sum.</exception>
         public void Add(uint[] output, int number, int poses, string owner)
         {
-            _tubes += output[FirstPose + PoseWords * number + PoseTubes];
+            _tubes += CountOf(output, number, PoseTubes);
             Rays += RaysOf(output, number);
             int count = _sums.Length * CopiesOf(_pose);
             for (int i = 0; i < count; i++)

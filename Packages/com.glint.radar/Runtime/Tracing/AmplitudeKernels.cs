@@ -13,6 +13,9 @@ namespace Glint
 
         const int PointLandings = 2;       // POINT_LANDINGS in Shaders/AmplitudePath.hlsl, of two words each
 
+        static readonly int s_cellError = Shader.PropertyToID("_CellError");
+        static readonly int s_maxLevel = Shader.PropertyToID("_MaxLevel");
+        static readonly int s_maxBisections = Shader.PropertyToID("_MaxBisections");
         static readonly int s_grid = Shader.PropertyToID("_Grid");
         static readonly int s_pictureStart = Shader.PropertyToID("_PictureStart");
         static readonly int s_pictureStep = Shader.PropertyToID("_PictureStep");
@@ -92,6 +95,17 @@ namespace Glint
             _shader.SetFloat(TubeIDs._UnitsPerSquareMetre, (float)unitsPerSquare);
         }
 
+        /// <summary>Sets how finely cells are divided and borders found.</summary>
+        /// <param name="cellError">Error that a cell may have, of its phasor times area.</param>
+        /// <param name="maxLevel">Divisions of a base cell at most.</param>
+        /// <param name="maxBisections">Of the sides of a base cell towards a border.</param>
+        public void SetAccuracy(double cellError, int maxLevel, int maxBisections)
+        {
+            _shader.SetFloat(s_cellError, (float)cellError);
+            _shader.SetInt(s_maxLevel, maxLevel);
+            _shader.SetInt(s_maxBisections, maxBisections);
+        }
+
         /// <summary>Sets the list of points.</summary>
         public void SetPoints(DeviceBuffer<uint> output, DeviceBuffer<uint> points, int capacity)
         {
@@ -123,8 +137,8 @@ namespace Glint
 
         int[] TracingKernels()
         {
-            var kernels = new int[Rounds.Tracing.Length + 1];
-            Rounds.Tracing.CopyTo(kernels, 0);
+            var kernels = new int[Rounds.Kernels.Length + 1];
+            Rounds.Kernels.CopyTo(kernels, 0);
             kernels[kernels.Length - 1] = _corners;
             return kernels;
         }

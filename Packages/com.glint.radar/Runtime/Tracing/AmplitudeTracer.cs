@@ -42,7 +42,7 @@ namespace Glint
         const double UnitsPerCell = 1 << 24, UnitsPerSquare = 1L << 44;
 
         // Words of the output, of 64 bits but for the first: Shaders/TubeBindings.hlsl.
-        internal const int RevealedCount = 7, Hits = 8, Bounces = 10, Received = 12, Lengths = 14;
+        internal const int RevealedCount = 14, Hits = 16, Bounces = 18, Received = 20, Lengths = 22;
         internal const double LengthUnits = 256;
         const int InPhase = TubeKernels.FirstSum, Bent = InPhase + 2 * TubeSums.Bent, Border = InPhase + 2 * TubeSums.Border,
             TooLarge = InPhase + TubeSums.TooLarge;
@@ -51,14 +51,10 @@ namespace Glint
         readonly AmplitudeKernels _kernels;
         readonly DeviceScene _scene;
         readonly SurfaceBuffers _surfaces = new SurfaceBuffers();
-        readonly DeviceBuffer<uint> _output = new DeviceBuffer<uint>("sums of tubes");
+        readonly TubeLists _lists = new TubeLists();
         readonly DeviceBuffer<uint> _points = new DeviceBuffer<uint>("words of points");
-        readonly DeviceBuffer<Tube> _tubes = new DeviceBuffer<Tube>("tubes");
-        readonly DeviceBuffer<TubeCell> _cells = new DeviceBuffer<TubeCell>("cells of tubes");
-        readonly DeviceBuffer<TubeCell> _borders = new DeviceBuffer<TubeCell>("border cells");
         readonly DeviceBuffer<uint> _revealed = new DeviceBuffer<uint>("parts of cells");
         readonly DeviceBuffer<uint> _revealedByNow = new DeviceBuffer<uint>("parts of cells");
-        readonly DeviceBuffer<float4> _waveNumbers = new DeviceBuffer<float4>("frequencies");
         readonly DispatchPacer _pacer = new DispatchPacer();
         uint[] _revealedWords;
 
@@ -130,14 +126,10 @@ namespace Glint
             _kernels.Dispose();
             _scene.Dispose();
             _surfaces.Dispose();
-            _output.Dispose();
+            _lists.Dispose();
             _points.Dispose();
-            _tubes.Dispose();
-            _cells.Dispose();
-            _borders.Dispose();
             _revealed.Dispose();
             _revealedByNow.Dispose();
-            _waveNumbers.Dispose();
         }
 
         // Repeats the trace, with finer borders and more cells, until the tolerance is met; false if it cannot be.
@@ -176,18 +168,14 @@ namespace Glint
             // Facets of one plane are one mirror.
             _surfaces.Set(pose.Scene, _scene.Centre, 0, settings.FrequencyHz);
             var rays = new RayGrid(settings, pose.View, _scene.Min, _scene.Max);
-            var waveNumber = TubeRounds.WaveNumber(settings.FrequencyHz);
+            var waveNumber = TubeLists.WaveNumber(settings.FrequencyHz);
             _kernels.SetScene(_scene, _surfaces);
             _kernels.SetPose(pose, rays, grid, waveNumber.x);
             _kernels.SetUnits(UnitsPerCell, UnitsPerSquare);
-            _output.Reserve(OutputSize);
+            _lists.Reserve(OutputSize, ListCapacity, ListCapacity, new[] { waveNumber });
             _points.Reserve((long)PointCapacity * AmplitudeKernels.PointWords(settings.MaxBounces));
-            _tubes.Reserve(ListCapacity);
-            _cells.Reserve(ListCapacity);
-            _borders.Reserve(ListCapacity);
-            _waveNumbers.Upload(new[] { waveNumber });
-            _kernels.Rounds.SetLists(_output, _tubes, _cells, _borders, _waveNumbers, ListCapacity);
-            _kernels.SetPoints(_output, _points, PointCapacity);
+            _kernels.Rounds.SetLists(_lists);
+            _kernels.SetPoints(_lists.Output, _points, PointCapacity);
             _revealedWords = new uint[AmplitudeKernels.RevealedWords * grid.Count.x * grid.Count.y];
             _revealed.Upload(_revealedWords);
             _revealedByNow.Upload(_revealedWords);
@@ -203,7 +191,7 @@ namespace Glint
         {
             double cellError = CellError * Math.Pow(2, -level);
             int maxLevel = (int)Math.Ceiling(-0.5 * Math.Log(cellError, 2));
-            _kernels.Rounds.SetAccuracy(cellError, maxLevel, level + 1);
+            _kernels.SetAccuracy(cellError, maxLevel, level + 1);
             sums.Clear();
             var read = new uint[OutputSize];
             int max = grid.Count.y;
@@ -216,7 +204,7 @@ namespace Glint
                 var watch = Stopwatch.StartNew();
                 _kernels.Rounds.Clear(read.Length);
                 _kernels.Trace(grid, first, rows, Math.Max(maxLevel, emptyLevel) + 1, level + 1, emptyLevel);
-                _output.ReadBack(read, read.Length);
+                _lists.Output.ReadBack(read, read.Length);
                 _pacer.Took(rows, watch.Elapsed.TotalSeconds);
                 if (TubeSums.HasOverflown(read))
                 {

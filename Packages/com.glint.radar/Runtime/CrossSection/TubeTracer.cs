@@ -1,0 +1,199 @@
+using System;
+using System.Diagnostics;
+using System.Linq;
+using System.Threading;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>Traces the cells of poses slice by slice on the GPU, and owns the lists that this takes.</summary>
+    sealed class TubeTracer : IDisposable
+    {
+        const int TileCells = 64;          // the pacer counts tiles
+
+        // Elements of the lists, and of the corners of a dispatch times their bounces, for each of 8 GB of memory up to
+        // MaxLists: long lists fill a device with large memory.
+        const int ListElements = 1 << 20, CornerElements = 3 << 20, MaxLists = 16, MebibytesAList = 8192;
+
+        // Rays of a slice for each of these elements: on a ship there is a tube for every five rays. A slice whose lists become
+        // full is traced again in two.
+        const int RaysAList = 3 << 20;
+
+        // Of the marks of all poses of a dispatch, for each of these lists: 64 MB.
+        const long MarkWordsAList = 1 << 24;
+
+        readonly string _owner;
+        readonly TubeKernels _kernels;
+        readonly TubeLists _lists = new TubeLists();
+        readonly DeviceBuffer<uint> _tubeParts = new DeviceBuffer<uint>("parts of tubes");
+        readonly DeviceBuffer<float4> _tubeRates = new DeviceBuffer<float4>("rates of tubes");
+        readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
+        readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of patches");
+        readonly DispatchPacer _pacer = new DispatchPacer();
+        readonly int _listFactor = ListFactor;
+        long _maxCells;                    // of a slice
+        uint[] _read;
+
+        /// <param name="shader">Shaders/Tubes.compute.</param>
+        /// <param name="owner">Name of the owner, for messages.</param>
+        public TubeTracer(ComputeShader shader, string owner) => (_owner, _kernels) = (owner, new TubeKernels(shader));
+
+        /// <summary>
+        /// Poses that a GPU traces together at most: as many as fill its lists. A single one fills a software device.
+        /// </summary>
+        public static int MaxPoses => SoftwareDevice.IsInUse ? 1 : Math.Min(4 * (3 + ListFactor), TubeKernels.MaxPoses);
+
+        static int ListFactor => SoftwareDevice.IsInUse ? 1
+            : math.clamp(SystemInfo.graphicsMemorySize / MebibytesAList, 1, MaxLists);
+
+        /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
+        public int CellsADispatch { get; set; }
+
+        // Tubes, border cells and rays beside outlines.
+        int Capacity => _listFactor * ListElements;
+
+        // Times their bounces.
+        int Corners => (int)Math.Min(_listFactor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
+
+        /// <summary>Whether the marks of poses with a grid fit.</summary>
+        public static bool FitsTogether(int poses, TubeGrid largest) =>
+            (long)poses * TubeKernels.MarkWordsOf(largest) <= ListFactor * MarkWordsAList;
+
+        /// <summary>Sets the poses, which are alike, and what is summed: S.</summary>
+        /// <inheritdoc cref="Bind"/>
+        public void SumAll(TubeJob[] jobs, DeviceScene scene, SurfaceBuffers surfaces)
+        {
+            Bind(jobs, scene, surfaces, TubeSums.OutputSize(jobs[0].Pose, jobs.Length), 1);
+            _kernels.SumAll();
+        }
+
+        /// <summary>Sets a pose, and what is summed: the parts of S at one receiver and frequency.</summary>
+        /// <inheritdoc cref="Bind"/>
+        public void SumParts(TubeJob job, DeviceScene scene, SurfaceBuffers surfaces, PartSums sums, int receiver,
+            int frequency)
+        {
+            Bind(new[] { job }, scene, surfaces, sums.OutputSize, Capacity);
+            _kernels.SumParts(surfaces.Parts, receiver, frequency, TubeSums.OutputSize(job.Pose, 1));
+        }
+
+        /// <exception cref="GlintException">The device's memory does not suffice.</exception>
+        void Bind(TubeJob[] jobs, DeviceScene scene, SurfaceBuffers surfaces, int outputSize, int tubeParts)
+        {
+            var pose = jobs[0].Pose;
+            _kernels.SetScene(scene, surfaces);
+            _kernels.SetPoses(jobs);
+            _kernels.SetUnits(jobs[0].Edges);
+            _read = new uint[outputSize];
+            _maxCells = CornerCapacity(pose);
+            _lists.Reserve(outputSize, Capacity, CellCapacity(pose), Enumerable.Range(0, pose.Samples).Select(sample =>
+                TubeLists.WaveNumber(pose.FrequencyOf(sample), pose.TimeOf(sample))));
+            _lists.ReserveRays(Corners, CornerCapacity(pose));
+            _tubeParts.Reserve(tubeParts);
+            _tubeRates.Reserve(pose.IsMoving ? Capacity : 1);
+            _kernels.SetLists(_lists, _tubeParts, _tubeRates);
+            int words = jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
+            int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces);
+            _marks.Reserve((long)jobs.Length * words);
+            _links.Reserve((long)jobs.Length * links);
+            _kernels.Mark(jobs.Length, words, links, surfaces, _marks, _links);
+        }
+
+        // Corners of a round, of which what they meet is kept.
+        int CornerCapacity(CrossSectionPose pose) => Corners / pose.MaxBounces;
+
+        // Cells of a round after that of the base cells.
+        int CellCapacity(CrossSectionPose pose) => CornerCapacity(pose) / TubeKernels.BlockCorners * TubeKernels.BlockCells;
+
+        /// <summary>
+        /// Traces the next cells of all poses and hands the output over. If a list becomes full, nothing is handed over, and
+        /// the next slice is smaller.
+        /// </summary>
+        /// <exception cref="GlintException">A single cell has too many parts.</exception>
+        public void TraceSlice(TubeJob[] jobs, Action<uint[]> add)
+        {
+            var pose = jobs[0].Pose;
+            long most = Math.Min(jobs.Sum(job => job.Left), _maxCells);
+            int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (most + TileCells - 1) / TileCells), pose.MaxBounces);
+            var slices = SlicesOf(jobs, Math.Min(most, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells));
+            int count = slices.Sum(slice => slice.Count);
+            var watch = Stopwatch.StartNew();
+            _kernels.Clear(_read.Length);
+            _kernels.Trace(jobs, slices);
+            _lists.Output.ReadBack(_read, _read.Length);
+            _pacer.Took(Math.Max(1, count / TileCells), watch.Elapsed.TotalSeconds);
+            if (TubeSums.HasOverflown(_read))
+            {
+                _maxCells = Math.Max(1, count / 2);
+                if (count == 1)
+                    throw new GlintException($"{_owner}: one cell of the grid has too many parts at this tolerance: "
+                        + "ask for a larger one");
+                return;
+            }
+            add(_read);
+            for (int i = 0; i < jobs.Length; i++)
+                if (slices[i].Count > 0)
+                    jobs[i].Took(slices[i].Count, TubeSums.RaysOf(_read, i));
+            _maxCells = Math.Min(CornerCapacity(pose), _maxCells + _maxCells / 2);
+        }
+
+        // The next slice of each pose, cells in all at most.
+        (long First, int Count)[] SlicesOf(TubeJob[] jobs, long max)
+        {
+            var slices = new (long First, int Count)[jobs.Length];
+            double rays = (double)_listFactor * RaysAList;
+            int sum = 0;
+            long corners = CornerCapacity(jobs[0].Pose);
+            for (int i = 0; i < jobs.Length; i++)
+            {
+                long most = Math.Min(max - sum, jobs[i].CellsWithin(corners));
+                slices[i] = (jobs[i].Next, jobs[i].SliceOf(sum == 0 ? 1 : 0, Math.Max(0, most), ref rays));
+                sum += slices[i].Count;
+                corners -= TubeKernels.CornersOf(slices[i].Count, jobs[i].Grid.Cells.x);
+            }
+            return slices;
+        }
+
+        /// <summary>Traces the edges, as many pieces at a time as the list of tubes holds, and hands each output over.</summary>
+        /// <param name="offset">Of shadow rays, which start clear of the faces that meet at an edge, metres.</param>
+        public void TraceEdges(TubeJob[] jobs, EdgeBuffers edges, double offset, Action<uint[]> add, CancellationToken cancel)
+        {
+            int receivers = jobs.Length * jobs[0].Pose.Receivers.Length, max = Capacity / receivers;
+            for (int first = 0; first < edges.Count; first += max)
+            {
+                cancel.ThrowIfCancellationRequested();
+                _kernels.Clear(_read.Length);
+                _kernels.TraceEdges(edges, first, Math.Min(max, edges.Count - first), receivers, offset);
+                _lists.Output.ReadBack(_read, _read.Length);
+                add(_read);
+            }
+        }
+
+        /// <summary>Sums the next cells of a pose by uniform points.</summary>
+        /// <inheritdoc cref="CrossSectionTracer.TracePoints"/>
+        public void TracePoints(TubeJob job, int across, double2 offset)
+        {
+            // The list holds the currents of all bounces.
+            int max = Capacity / (job.Pose.MaxBounces * job.Pose.Receivers.Length * across * across);
+            double rays = max;
+            int count = job.SliceOf(max, max, ref rays);
+            _kernels.Clear(_read.Length);
+            _kernels.TracePoints(job, count, across, offset);
+            _lists.Output.ReadBack(_read, _read.Length);
+            job.Sums.Add(_read, 0, 1, _owner);
+            job.Took(count, TubeSums.RaysOf(_read, 0));
+        }
+
+        /// <summary>Releases all buffers on the device.</summary>
+        public void Dispose()
+        {
+            _kernels.Dispose();
+            _lists.Dispose();
+            _tubeParts.Dispose();
+            _tubeRates.Dispose();
+            _marks.Dispose();
+            _links.Dispose();
+        }
+    }
+}

@@ -1,0 +1,73 @@
+#ifndef GLINT_CELL_CORNERS
+#define GLINT_CELL_CORNERS
+
+#include "TubeBlocks.hlsl"
+
+// What the rays through the corners of a cell have met.
+struct CellCorners
+{
+    uint4 Elements;        // in _Corners
+    uint4 Bounces;
+    uint4 First;           // signatures of what they have met first
+    bool AreSame;          // all that they have met
+    uint Common;           // bounces at which they have met the same
+};
+
+// Bounces at which the rays have met the same.
+uint CommonBounces(CellCorners corners)
+{
+    uint4 bounces = corners.Bounces;
+    uint common = 0, end = min(min(bounces.x, bounces.y), min(bounces.z, bounces.w));
+    [loop]
+    for (uint bounce = 0; bounce < end && common == bounce; bounce++)
+    {
+        uint signature = _Corners[corners.Elements.x + bounce].Signature;
+        bool isSame = true;
+        for (uint i = 1; i < 4; i++)
+            isSame = isSame && _Corners[corners.Elements[i] + bounce].Signature == signature;
+        common += isSame ? 1 : 0;
+    }
+    return common;
+}
+
+// Of a cell of this round, which takes the signatures of their paths and their depth.
+CellCorners LoadCorners(inout Cell cell)
+{
+    CellCorners corners = (CellCorners)0;
+    corners.First = NO_SIGNATURE;
+    cell.Signatures = NO_SIGNATURE;
+    corners.AreSame = true;
+    [unroll]
+    for (uint i = 0; i < 4; i++)
+    {
+        uint element = CornerOfCell(cell.Number, uint2(CornerOf(i) > 0.0), _Round) * _MaxBounces;
+        uint bounces = _Corners[element].Bounces;
+        corners.Elements[i] = element;
+        corners.Bounces[i] = bounces;
+        if (bounces > 0)
+        {
+            corners.First[i] = _Corners[element].Signature;
+            cell.Signatures[i] = _Corners[element + bounces - 1].Signature;
+        }
+        corners.AreSame = corners.AreSame && cell.Signatures[i] == cell.Signatures[0];
+    }
+    corners.Common = CommonBounces(corners);
+    cell.IsDeep = any(corners.Bounces > 1) ? 1 : 0;
+    return corners;
+}
+
+// Largest strength of the corners at bounces that are not summed yet, and its product with the error by bent phases.
+float2 StrengthLeft(CellCorners corners, Cell cell)
+{
+    float side = SideOfCell(cell);
+    float2 most = 0.0;
+    for (uint i = 0; i < 4; i++)
+        for (uint bounce = cell.FirstBounce; bounce < corners.Bounces[i]; bounce++)
+        {
+            float2 strength = _Corners[corners.Elements[i] + bounce].Strength;
+            most = max(most, float2(strength.x, min(strength.x, side * side * strength.y)));
+        }
+    return most;
+}
+
+#endif

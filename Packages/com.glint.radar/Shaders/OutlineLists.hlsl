@@ -1,0 +1,80 @@
+#ifndef GLINT_OUTLINE_LISTS
+#define GLINT_OUTLINE_LISTS
+
+#include "TubeBlocks.hlsl"
+
+// Thin parts of patches, which pass between the rays through the corners of a cell: the outlines of the patches tell where
+// they are, and rays beside them what is seen there.
+
+// Of more sides through a cell no list is made.
+static const uint TOO_MANY_RAYS = 0xffffffff;
+
+// Fraction of a line at which it is halfway through a cell; below 0: it does not run through the cell.
+float MiddleWithin(Cell cell, float2 start, float2 end)
+{
+    float halfSide = 0.5 * SideOfCell(cell);
+    float2 step = end - start, from = CentreOfCell(cell) - start;
+    step = abs(step) > 1.0e-9 ? step : 1.0e-9;
+    float2 a = (from - halfSide) / step, b = (from + halfSide) / step;
+    float2 enters = min(a, b), leaves = max(a, b);
+    float first = max(0.0, max(enters.x, enters.y)), last = min(1.0, min(leaves.x, leaves.y));
+    return first < last ? 0.5 * (first + last) : -1.0;
+}
+
+bool RunsThrough(Cell cell, uint side)
+{
+    float2 a = PlaceOnGrid(_Sides[SIDE_ROWS * side].xyz), b = PlaceOnGrid(_Sides[SIDE_ROWS * side + 1].xyz);
+    return MiddleWithin(cell, a, b) >= 0.0;
+}
+
+// Whether a ray through a corner of a cell has met the patch of a side first, seen by all receivers: no ray is needed.
+bool IsMet(uint side, uint4 met)
+{
+    TubePath path = (TubePath)0;
+    path.Signature = NO_SIGNATURE;
+    Sign(path, asuint(_Sides[SIDE_ROWS * side].w));
+    Sign(path, (1u << _ReceiverCount) - 1);
+    return any(met == path.Signature);
+}
+
+// Rays that are to look beside the outlines in a cell, or TOO_MANY_RAYS. Lists have no order: a part of one would differ from
+// run to run.
+uint CountOutlineRays(Cell cell, uint4 met)
+{
+    uint link = _Marks[OutlineWord(cell.Position >> cell.Level)], listed = 0, through = 0, rays = 0;
+    if (link == 0 || !HasAllSides())
+        return 0;
+    [loop]
+    for (; link != 0 && listed < MAX_LISTED_SIDES; listed++)
+    {
+        uint4 side = _Links[link - 1];
+        if (RunsThrough(cell, side.x))
+        {
+            through++;
+            rays += IsMet(side.x, met) ? 0 : 1;
+        }
+        link = side.z;
+    }
+    return through > MAX_SIDES || listed == MAX_LISTED_SIDES ? TOO_MANY_RAYS : rays;
+}
+
+// Lists these rays. centre: of the cell in _Centres.
+void ListOutlineRays(Cell cell, uint4 met, uint centre, uint rays)
+{
+    uint ray;
+    InterlockedAdd(_Sums[TUBE_OUTLINES], rays, ray);
+    [loop]
+    for (uint link = _Marks[OutlineWord(cell.Position >> cell.Level)]; link != 0;)
+    {
+        uint4 side = _Links[link - 1];
+        if (RunsThrough(cell, side.x) && !IsMet(side.x, met))
+        {
+            if (ray < _ListCapacity.x)
+                _Outlines[ray] = uint2(centre, side.x);
+            ray++;
+        }
+        link = side.z;
+    }
+}
+
+#endif
