@@ -24,6 +24,9 @@ namespace Glint
         readonly Stopwatch _watch = Stopwatch.StartNew();
         readonly SweepIdentity _identity;
 
+        // Rows that are written, and not returned yet.
+        readonly Queue<CrossSectionRow> _ready = new Queue<CrossSectionRow>();
+
         // Traces of the current direction and of later ones, by their first frequency and first receiver.
         readonly Dictionary<(int Pose, int, int), (CrossSectionPose, CrossSectionResult)> _traces =
             new Dictionary<(int, int, int), (CrossSectionPose, CrossSectionResult)>();
@@ -76,7 +79,10 @@ namespace Glint
         /// <summary>True if all rows are done.</summary>
         public bool IsComplete => Done == Count;
 
-        /// <summary>Computes and writes the next row; after the last row it writes the other files.</summary>
+        /// <summary>
+        /// Computes and writes the next row, with others of its direction, which later steps return; after the last row
+        /// it writes the other files.
+        /// </summary>
         /// <param name="progress">Receives the fraction of the trace done, 0 to 1; may be null.</param>
         /// <param name="cancel">Cancels the trace.</param>
         /// <exception cref="GlintException">
@@ -85,21 +91,33 @@ namespace Glint
         /// <exception cref="OperationCanceledException">The trace was cancelled; earlier rows are kept.</exception>
         public CrossSectionRow Step(IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            var planned = _setup.Plan[_first + Done];
-            var key = TraceOf(planned);
-            if (!_traces.ContainsKey(key))
-                TraceFrom(_first + Done, progress, cancel);
-            var (pose, trace) = _traces[key];
-            int receiver = planned.Receiver - key.Receiver, frequency = planned.FrequencyIndex - key.Frequency;
-            var row = RowOf(planned, trace, receiver, pose.SampleOf(planned.Pulse, frequency));
-            if (_setup.HasContributions)
-                row.Contributions = _tracer.Contributions(pose, trace, receiver, frequency, _setup.Polarisations,
-                    progress, cancel);
-            _folder?.Append(row);
+            if (_ready.Count == 0)
+                Compute(progress, cancel);
+            var row = _ready.Dequeue();
             Done++;
             if (IsComplete)
                 WriteOtherFiles();
             return row;
+        }
+
+        // The next row, and with it those of its direction that are traced already: they are written at once. A row with
+        // contributions takes a trace of its own, and is written alone.
+        void Compute(IProgress<double> progress, CancellationToken cancel)
+        {
+            int first = _first + Done, pose = _setup.Plan[first].Pose;
+            if (!_traces.ContainsKey(TraceOf(_setup.Plan[first])))
+                TraceFrom(first, progress, cancel);
+            var rows = new List<CrossSectionRow>();
+            for (int number = first; number < _first + Count && (rows.Count == 0 || !_setup.HasContributions); number++)
+            {
+                var planned = _setup.Plan[number];
+                if (planned.Pose != pose || !_traces.ContainsKey(TraceOf(planned)))
+                    break;
+                rows.Add(RowOf(planned, progress, cancel));
+            }
+            _folder?.Append(rows);
+            foreach (var row in rows)
+                _ready.Enqueue(row);
         }
 
         /// <summary>Releases the device's buffers and the folder.</summary>
@@ -157,14 +175,23 @@ namespace Glint
             return _setup.PoseOf(planned, aspects, frequencies);
         }
 
-        CrossSectionRow RowOf(in PlannedCrossSection planned, CrossSectionResult trace, int receiver, int sample) =>
-            new CrossSectionRow(planned, trace.S[receiver, sample], _setup.Polarisations)
+        CrossSectionRow RowOf(in PlannedCrossSection planned, IProgress<double> progress, CancellationToken cancel)
+        {
+            var key = TraceOf(planned);
+            var (pose, trace) = _traces[key];
+            int receiver = planned.Receiver - key.Receiver, frequency = planned.FrequencyIndex - key.Frequency;
+            int sample = pose.SampleOf(planned.Pulse, frequency);
+            return new CrossSectionRow(planned, trace.S[receiver, sample], _setup.Polarisations)
             {
                 Error = trace.Errors[receiver, sample], FloorDbsm = _setup.FloorDbsm,
                 ToleranceDb = _setup.ToleranceDb, Radius = _setup.Radius,
                 CoarseShare = _setup.Quality.Share(Signal.Wavelength(planned.Frequency)),
-                Tubes = trace.Tubes, Rays = trace.Rays
+                Tubes = trace.Tubes, Rays = trace.Rays,
+                Contributions = _setup.HasContributions
+                    ? _tracer.Contributions(pose, trace, receiver, frequency, _setup.Polarisations, progress, cancel)
+                    : null
             };
+        }
 
         void WriteOtherFiles()
         {
