@@ -9,8 +9,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers in the far field and of neighbouring
-    /// frequencies (<see cref="FrequencyGroups"/>).
+    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers in the far field, of neighbouring
+    /// frequencies (<see cref="FrequencyGroups"/>) and of neighbouring looks of an image (<see cref="LookGroups"/>).
     /// </summary>
     public sealed class CrossSectionRun : IDisposable
     {
@@ -19,6 +19,8 @@ namespace Glint
         readonly CrossSectionTracer _tracer;
         readonly int _first;
         readonly FrequencyGroups _groups;
+        readonly LookGroups _looks;
+        readonly RadarScene _turningScene;
         readonly int _receiversOfTrace, _posesTogether;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
@@ -54,6 +56,8 @@ namespace Glint
             _first = shard?.First(rows) ?? 0;
             Count = (shard?.End(rows) ?? rows) - _first;
             _groups = new FrequencyGroups(setup.Plan.Frequencies, setup.UsedMaterials(), setup.MaxCoefficientError);
+            _looks = setup.Looks;
+            _turningScene = setup.Scene.MovingBy(LookGroups.TurnAbout(setup.PhaseCentre));
             _receiversOfTrace = double.IsPositiveInfinity(setup.Range) ? TubeKernels.MaxReceivers : 1;
             if (folder != null)
             {
@@ -128,8 +132,9 @@ namespace Glint
         }
 
         // The trace that a row is of.
-        (int Pose, int Frequency, int Receiver) TraceOf(in PlannedCrossSection planned) => (planned.Pose,
-            _groups.FirstOf(planned.FrequencyIndex), planned.Receiver / _receiversOfTrace * _receiversOfTrace);
+        (int Pose, int Frequency, int Receiver) TraceOf(in PlannedCrossSection planned) => (
+            _looks.FirstOf(planned.Pose), _groups.FirstOf(planned.FrequencyIndex),
+            planned.Receiver / _receiversOfTrace * _receiversOfTrace);
 
         // Traces a row, and the rows of the same frequencies and receivers in later directions.
         void TraceFrom(int row, IProgress<double> progress, CancellationToken cancel)
@@ -144,7 +149,8 @@ namespace Glint
                 var planned = _setup.Plan[row];
                 if (TraceOf(planned) != (pose, frequency, receiver))
                     continue;
-                keys.Add((pose++, frequency, receiver));
+                keys.Add((pose, frequency, receiver));
+                pose += _looks.Looks;
                 poses.Add(PoseOf(row, planned, frequency, receiver));
             }
             var results = Trace(poses, progress, cancel);
@@ -172,7 +178,18 @@ namespace Glint
             int receivers = Math.Min(_receiversOfTrace, plan.Receivers - receiver), first = row - planned.Receiver;
             var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[first + i].ReceiverAspect).ToArray();
             var frequencies = plan.Frequencies.Where((_, i) => _groups.FirstOf(i) == frequency).ToArray();
-            return _setup.PoseOf(planned, aspects, frequencies);
+            return _looks.Looks == 1
+                ? _setup.PoseOf(planned, aspects, frequencies)
+                : MiddleOf(planned, frequencies);
+        }
+
+        // The pose of the looks that share the trace of one.
+        CrossSectionPose MiddleOf(PlannedCrossSection planned, double[] frequencies)
+        {
+            planned.AzimuthDegrees = _looks.MiddleOf(planned.Pose);
+            var pose = _setup.PoseOf(planned, new[] { planned.Radar }, frequencies);
+            (pose.Scene, pose.Times, pose.WaveFactors) = (_turningScene, _looks.Times, _looks.Factors);
+            return pose;
         }
 
         CrossSectionRow RowOf(in PlannedCrossSection planned, IProgress<double> progress, CancellationToken cancel)
@@ -180,7 +197,8 @@ namespace Glint
             var key = TraceOf(planned);
             var (pose, trace) = _traces[key];
             int receiver = planned.Receiver - key.Receiver, frequency = planned.FrequencyIndex - key.Frequency;
-            int sample = pose.SampleOf(planned.Pulse, frequency);
+            // There are several looks of a trace, or several pulses.
+            int sample = pose.SampleOf(planned.Pulse + planned.Pose - key.Pose, frequency);
             return new CrossSectionRow(planned, trace.S[receiver, sample], _setup.Polarisations)
             {
                 Error = trace.Errors[receiver, sample], FloorDbsm = _setup.FloorDbsm,

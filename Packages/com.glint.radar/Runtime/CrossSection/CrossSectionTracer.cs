@@ -314,7 +314,7 @@ namespace Glint
             _borders.Reserve(ListCapacity);
             _tubeRates.Reserve(pose.IsMoving ? ListCapacity : 1);
             _waveNumbers.Upload(Enumerable.Range(0, pose.Samples).Select(sample =>
-                TubeRounds.WaveNumber(pose.FrequencyOf(sample), pose.TimeOf(sample))).ToArray());
+                TubeRounds.WaveNumber(pose.PhaseFrequencyOf(sample), pose.TimeOf(sample))).ToArray());
             _kernels.SetLists(_output, _tubes, _tubeParts, _tubeRates, _cells, _borders, _corners,
                 _waveNumbers, CellCapacity(pose));
             int words = MarkWordsOf(jobs), links = TubeKernels.LinksOf(jobs[0].Grid, _surfaces);
