@@ -58,6 +58,11 @@ namespace Glint.Core
         /// </summary>
         public double[] Times { get; set; } = { 0 };
 
+        /// <summary>
+        /// Factors of the wave number of all lengths at each of the times (<see cref="LookGroups"/>); null: 1.
+        /// </summary>
+        public double[] WaveFactors { get; set; }
+
         /// <summary>Number of <see cref="SampleOf">samples</see>.</summary>
         public int Samples => Times.Length * Frequencies.Length;
 
@@ -66,6 +71,10 @@ namespace Glint.Core
 
         /// <summary>The frequency of a sample, hertz.</summary>
         public double FrequencyOf(int sample) => Frequencies[sample % Frequencies.Length];
+
+        /// <summary>The frequency of a sample's phases, hertz.</summary>
+        public double PhaseFrequencyOf(int sample) =>
+            FrequencyOf(sample) * (WaveFactors?[sample / Frequencies.Length] ?? 1);
 
         /// <summary>The time of a sample, seconds.</summary>
         public double TimeOf(int sample) => Times[sample / Frequencies.Length];
@@ -132,7 +141,7 @@ namespace Glint.Core
         public bool IsLike(CrossSectionPose other) => ReferenceEquals(Scene, other.Scene) && Range == other.Range
             && Footprint == null && other.Footprint == null && IsMonostatic == other.IsMonostatic
             && Receivers.Length == other.Receivers.Length && Frequencies.SequenceEqual(other.Frequencies)
-            && BandCentre == other.BandCentre && Times.SequenceEqual(other.Times)
+            && BandCentre == other.BandCentre && Times.SequenceEqual(other.Times) && WaveFactors == other.WaveFactors
             && MaxBounces == other.MaxBounces && OnlyBounce == other.OnlyBounce
             && HasEdges == other.HasEdges && FadesShadows == other.FadesShadows && CreaseDegrees == other.CreaseDegrees
             && ToleranceDb == other.ToleranceDb && FloorDbsm == other.FloorDbsm;

@@ -70,6 +70,8 @@ namespace Glint.Core
         {
             get
             {
+                if (Planned.ReceiverAzimuthDegrees == null)
+                    return false;
                 double3 radar = Planned.Radar.ToRadar, receiver = Planned.ReceiverAspect.ToRadar;
                 double angle = math.atan2(math.length(math.cross(radar, receiver)), math.dot(radar, receiver));
                 double lobe = Signal.Wavelength(Planned.Frequency) / (2 * Radius);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using System.Threading.Tasks;
 
 namespace Glint.Core
 {
@@ -14,6 +15,7 @@ namespace Glint.Core
         readonly IReadOnlyList<StoredRow> _rows;
         readonly ThermalNoise _noise;
         readonly Func<IsarTransform, IReadOnlyList<Complex[]>, Complex[]> _backproject;
+        readonly Dictionary<Polarisation, Complex[]> _images = new Dictionary<Polarisation, Complex[]>();
 
         /// <summary>The profiles of a run.</summary>
         /// <param name="rows">All rows of the plan.</param>
@@ -119,9 +121,13 @@ namespace Glint.Core
         {
             if (!Polarisations.Contains(polarisation))
                 return null;
+            if (_images.TryGetValue(polarisation, out var known))
+                return known;
             var range = Settings.RangeOf(Plan, IsarTransform.Padding);
-            return _backproject(NewImage(range), Enumerable.Range(0, Directions).Select(direction =>
-                range.Profile(Responses(direction, polarisation))).ToArray());
+            var profiles = new Complex[Directions][];
+            Parallel.For(0, Directions, direction =>
+                profiles[direction] = range.Profile(Responses(direction, polarisation)));
+            return _images[polarisation] = _backproject(NewImage(range), profiles);
         }
 
         IsarTransform NewImage(RangeTransform range)
@@ -144,9 +150,14 @@ namespace Glint.Core
         public static int Of(IReadOnlyList<Complex> profile)
         {
             int peak = 0;
-            for (int cell = 1; cell < profile.Count; cell++)
-                if (profile[cell].Magnitude > profile[peak].Magnitude)
-                    peak = cell;
+            double highest = -1;
+            for (int cell = 0; cell < profile.Count; cell++)
+            {
+                var value = profile[cell];
+                double power = value.Real * value.Real + value.Imaginary * value.Imaginary;
+                if (power > highest)
+                    (peak, highest) = (cell, power);
+            }
             return peak;
         }
     }

@@ -23,19 +23,19 @@ namespace Glint.Core
         public static bool AreIn(IReadOnlyList<StoredRow> rows) => rows.Any(row => row.Contributions != null);
 
         /// <summary>A line for each object and each number of bounces of each row.</summary>
-        public static void WriteContributions(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows) =>
+        public static void WriteContributions(Stream output, WholeRun run) =>
             Write(output, new[] { "by", "name" }.Concat(Polarisation.All.SelectMany(polarisation => new[]
-                { $"{polarisation}_dbsm", $"{polarisation}_re_m", $"{polarisation}_im_m" })), rows, row =>
+                { $"{polarisation}_dbsm", $"{polarisation}_re_m", $"{polarisation}_im_m" })), run.Rows, row =>
                 row.Contributions.Objects
-                    .Select(each => Cells("object", NameOf(info, each.Number), each.S))
+                    .Select(each => Cells("object", NameOf(run.Info, each.Number), each.S))
                     .Concat(row.Contributions.Bounces.Select(each =>
                         Cells("bounces", each.Number == 0 ? Edges : $"{each.Number}", each.S))));
 
         /// <summary>A line for each triangle that returns much, of each row, the strongest first.</summary>
-        public static void WriteHotSpots(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows) =>
+        public static void WriteHotSpots(Stream output, WholeRun run) =>
             Write(output, new[] { "object", "triangle" }.Concat(Polarisation.All.Select(polarisation =>
-                $"{polarisation}_dbsm")), rows, row => row.Contributions.HotSpots.Select(spot =>
-                new[] { NameOf(info, spot.Object), $"{spot.Triangle}" }
+                $"{polarisation}_dbsm")), run.Rows, row => row.Contributions.HotSpots.Select(spot =>
+                new[] { NameOf(run.Info, spot.Object), $"{spot.Triangle}" }
                     .Concat(spot.Dbsm.Select(level => level is double dbsm ? Numbers.Format(dbsm) : null))));
 
         static void Write(Stream output, IEnumerable<string> names, IReadOnlyList<StoredRow> rows,

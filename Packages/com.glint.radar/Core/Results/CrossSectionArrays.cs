@@ -9,10 +9,10 @@ namespace Glint.Core
     static class CrossSectionArrays
     {
         /// <summary>Writes the arrays of <see cref="AddTo"/>.</summary>
-        public static void Write(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void Write(Stream output, WholeRun run)
         {
             using (var arrays = new NumpyArchive(output))
-                AddTo(arrays, info, rows);
+                AddTo(arrays, run.Info, run.Rows);
         }
 
         /// <summary>

@@ -17,17 +17,17 @@ namespace Glint.Core
         };
 
         /// <summary>Writes profile.csv: a line for each range of each direction.</summary>
-        public static void WriteTable(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void WriteTable(Stream output, WholeRun run)
         {
-            var echo = new EchoProfiles(info, rows);
+            var echo = run.Echo;
             WriteLevels(output, echo, new[] { "range_m" }, (direction, polarisation, values) =>
                 echo.Profile(values(direction, polarisation, 0)), cell => Numbers.Format(echo.Range.RangeOf(cell)));
         }
 
         /// <summary>Writes doppler.csv: a line for each speed and range of each direction.</summary>
-        public static void WriteMaps(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void WriteMaps(Stream output, WholeRun run)
         {
-            var echo = new EchoProfiles(info, rows);
+            var echo = run.Echo;
             int columns = echo.Range.Cells;
             WriteLevels(output, echo, new[] { "speed_mps", "range_m" }, (direction, polarisation, values) =>
                 echo.Map(echo.Doppler, direction, polarisation, values), cell =>
@@ -36,9 +36,9 @@ namespace Glint.Core
         }
 
         /// <summary>Writes detections.csv: a line for each cell above the threshold.</summary>
-        public static void WriteDetections(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void WriteDetections(Stream output, WholeRun run)
         {
-            var echo = new EchoProfiles(info, rows);
+            var echo = run.Echo;
             using (var text = NewText(output))
             {
                 text.WriteLine(string.Join(",", s_keys.Select(column => column.Name).Concat(new[]
@@ -80,47 +80,54 @@ namespace Glint.Core
                         text.Write(key);
                         text.Write(',');
                         text.Write(placesOfCells[cell]);
-                        foreach (var each in levels)
-                        {
-                            text.Write(',');
-                            text.Write(Level(each, cell));
-                        }
-                        text.WriteLine();
+                        WriteLevels(text, levels, cell);
                     }
                 }
             }
+        }
+
+        /// <summary>Writes the decibels of a cell: none for what was not asked for, or for 0; and ends the line.</summary>
+        public static void WriteLevels(TextWriter text, Complex[][] cells, int cell)
+        {
+            foreach (var each in cells)
+            {
+                text.Write(',');
+                if (each != null && each[cell] != Complex.Zero)
+                    Numbers.Write(text, ScatteringMatrix.Dbsm(each[cell]));
+            }
+            text.WriteLine();
         }
 
         static string KeyOf(EchoProfiles echo, int direction) =>
             string.Join(",", s_keys.Select(echo.RowsOf(direction)[0].Cell));
 
         /// <summary>Writes echo.npz.</summary>
-        public static void WriteNumpy(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void WriteNumpy(Stream output, WholeRun run)
         {
             using (var file = new NumpyArchive(output))
-                AddArrays(file, info, rows);
+                AddArrays(file, run);
         }
 
         /// <summary>Writes echo.mat, the arrays of echo.npz.</summary>
-        public static void WriteMatlab(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void WriteMatlab(Stream output, WholeRun run)
         {
             using (var file = new MatlabFile(output))
-                AddArrays(file, info, rows);
+                AddArrays(file, run);
         }
 
         /// <summary>Writes echo.sigmf-data: the profiles of the pulses of each polarisation and direction.</summary>
-        public static void WriteSigMfData(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void WriteSigMfData(Stream output, WholeRun run)
         {
-            var echo = new EchoProfiles(info, rows);
+            var echo = run.Echo;
             SigMfFile.WriteData(output, Recorded(echo).Select(each => echo.Profile(echo.Settings.Radar == null
                 ? echo.Responses(each.direction, each.polarisation, each.pulse)
                 : echo.Received(each.direction, each.polarisation, each.pulse))));
         }
 
         /// <summary>Writes echo.sigmf-meta.</summary>
-        public static void WriteSigMfMeta(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void WriteSigMfMeta(Stream output, WholeRun run)
         {
-            var echo = new EchoProfiles(info, rows);
+            var echo = run.Echo;
             var global = new List<(string, object)> { ("unit", echo.Settings.Radar == null ? "m" : "W^0.5") };
             if (echo.Plan.Pulses != null)
                 global.Add(("pulse_repetition_frequency_hz", echo.Plan.Pulses.RepetitionFrequency));
@@ -139,10 +146,13 @@ namespace Glint.Core
                 echo.Polarisations.SelectMany(polarisation => Enumerable.Range(0, echo.Plan.PulseCount)
                     .Select(pulse => (direction, polarisation, pulse))));
 
-        static void AddArrays(IArrayFile file, RunInfo info, IReadOnlyList<StoredRow> rows)
+        static void AddArrays(IArrayFile file, WholeRun run)
         {
-            var echo = new EchoProfiles(info, rows);
-            CrossSectionArrays.AddTo(file, info, rows);
+            var echo = run.Echo;
+            CrossSectionArrays.AddTo(file, run.Info, run.Rows);
+            // The image has the profiles in it, which are much more than the responses.
+            if (echo.Settings.Image != null)
+                return;
             int cells = echo.Range.Cells;
             file.Add("range", new[] { cells }, Enumerable.Range(0, cells).Select(cell => echo.Range.RangeOf(cell)));
             void Add(string name, int[] sizes, Func<int, Polarisation, IEnumerable<Complex>> values) => file.Add(name,
@@ -172,11 +182,6 @@ namespace Glint.Core
             if (echo.Doppler != null)
                 AddMaps("received_map", echo.Received);
         }
-
-        /// <summary>Decibels as a text; none for a polarisation that was not asked for, or for 0.</summary>
-        public static string Level(Complex[] profile, int cell) => profile == null || profile[cell] == Complex.Zero
-            ? null
-            : Numbers.Format(ScatteringMatrix.Dbsm(profile[cell]));
 
         static StreamWriter NewText(Stream output) =>
             new StreamWriter(output, new UTF8Encoding(false), 1 << 16, true) { NewLine = "\n" };

@@ -16,34 +16,39 @@ namespace Glint.Core
         /// <summary>image.csv, image.npz and a picture for each polarisation.</summary>
         public static readonly IReadOnlyList<WholeFile> All = new[]
         {
-            new WholeFile("image.csv", WriteTable, (info, rows) => HasImage(info)),
-            new WholeFile("image.npz", WriteNumpy, (info, rows) => HasImage(info))
+            new WholeFile("image.csv", WriteTable, HasImage),
+            new WholeFile("image.npz", WriteNumpy, HasImage)
         }.Concat(Polarisation.All.Select(polarisation => new WholeFile($"image-{polarisation}.png",
-            (output, info, rows) => WritePicture(output, info, rows, polarisation),
-            (info, rows) => HasImage(info) && EchoSettings.PolarisationsOf(info).Contains(polarisation)))).ToArray();
+            (output, run) => WritePicture(output, run.Echo.Image(polarisation)),
+            run => HasImage(run) && run.Echo.Polarisations.Contains(polarisation)))).ToArray();
 
-        static bool HasImage(RunInfo info) => EchoSettings.Of(info).Image != null;
+        static bool HasImage(WholeRun run) => run.Echo.Settings.Image != null;
 
         // A line for each pixel.
-        static void WriteTable(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        static void WriteTable(Stream output, WholeRun run)
         {
-            var echo = new EchoProfiles(info, rows);
+            var echo = run.Echo;
             var transform = echo.NewImage();
             var images = Polarisation.All.Select(echo.Image).ToArray();
+            int pixels = transform.Pixels;
+            string[] places = Enumerable.Range(0, pixels).Select(i => Numbers.Format(transform.PlaceOf(i))).ToArray();
             using (var text = new StreamWriter(output, new UTF8Encoding(false), 1 << 16, true) { NewLine = "\n" })
             {
                 text.WriteLine("down_range_m,cross_range_m,"
                     + string.Join(",", Polarisation.All.Select(each => $"{each}_dbsm")));
-                for (int i = 0; i < transform.Pixels * transform.Pixels; i++)
-                    text.WriteLine($"{Numbers.Format(transform.PlaceOf(i / transform.Pixels))},"
-                        + $"{Numbers.Format(transform.PlaceOf(i % transform.Pixels))},"
-                        + string.Join(",", images.Select(image => EchoFiles.Level(image, i))));
+                for (int i = 0; i < pixels * pixels; i++)
+                {
+                    text.Write(places[i / pixels]);
+                    text.Write(',');
+                    text.Write(places[i % pixels]);
+                    EchoFiles.WriteLevels(text, images, i);
+                }
             }
         }
 
-        static void WriteNumpy(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        static void WriteNumpy(Stream output, WholeRun run)
         {
-            var echo = new EchoProfiles(info, rows);
+            var echo = run.Echo;
             var transform = echo.NewImage();
             int pixels = transform.Pixels;
             var places = Enumerable.Range(0, pixels).Select(index => transform.PlaceOf(index)).ToArray();
@@ -59,9 +64,8 @@ namespace Glint.Core
         }
 
         // As seen by the radar from above: near pixels below, those to its right on the right.
-        static void WritePicture(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows, Polarisation polarisation)
+        static void WritePicture(Stream output, Complex[] image)
         {
-            var image = new EchoProfiles(info, rows).Image(polarisation);
             int pixels = (int)Math.Round(Math.Sqrt(image.Length));
             double[] levels = image.Select(value => ScatteringMatrix.Dbsm(value)).ToArray();
             double highest = levels.Max();

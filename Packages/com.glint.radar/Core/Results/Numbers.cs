@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using System.IO;
 
 namespace Glint.Core
 {
@@ -12,6 +13,9 @@ namespace Glint.Core
         // Whether R gives the shortest digits: the smallest double has one.
         static readonly bool s_isShortest =
             double.Epsilon.ToString("R", CultureInfo.InvariantCulture) == "5E-324";
+
+        // Letters of a double in R, at most: -1.2345678901234567E-123.
+        const int MaxLength = 32;
 
         // From here on R writes powers of ten where more digits without one may be shorter.
         const double MinPower = 1e15;
@@ -37,6 +41,19 @@ namespace Glint.Core
                     shortest = text;
             }
             return shortest;
+        }
+
+        /// <summary>Writes <see cref="Format"/>, without a string of its own where R is the shortest.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The number is NaN or infinite.</exception>
+        public static void Write(TextWriter text, double value)
+        {
+            Span<char> letters = stackalloc char[MaxLength];
+            // Comparisons with NaN are false.
+            if (s_isShortest && value != 0 && Math.Abs(value) < MinPower
+                && value.TryFormat(letters, out int length, "R", CultureInfo.InvariantCulture))
+                text.Write(letters.Slice(0, length));
+            else
+                text.Write(Format(value));
         }
 
         // G15 rounds the largest doubles up to numbers that no double holds.

@@ -76,7 +76,8 @@ namespace Glint.Core
         ResultColumn(string name, string title, string unit, Func<SweepRow, double?> value)
             : this(name, title, unit) => _value = row => value((SweepRow)row);
 
-        ResultColumn(string name, string title, string unit) => (Name, Title, Unit) = (name, title, unit);
+        ResultColumn(string name, string title, string unit) =>
+            (Name, Title, Unit, JsonName) = (name, title, unit, $"\"{name}\":");
 
         // The angle is 0 where nothing is turned; another axis that is left alone has no value.
         ResultColumn(SweepAxis axis) : this(axis.Column, axis.Title, axis.Unit,
@@ -105,6 +106,9 @@ namespace Glint.Core
 
         /// <summary>Name in the CSV's first line and in the JSON's rows.</summary>
         public string Name { get; }
+
+        /// <summary>The name before a value in JSON.</summary>
+        internal string JsonName { get; }
 
         /// <summary>For headings and charts, without the unit.</summary>
         public string Title { get; }
@@ -148,7 +152,7 @@ namespace Glint.Core
 
         /// <summary>The value; null if the row has none, such as the decibels of amplitude 0.</summary>
         /// <exception cref="GlintException">The value is NaN or infinite.</exception>
-        public double? Value(SweepRow row) => Value(row, row.Pose.ToString());
+        public double? Value(SweepRow row) => Value(row, row.Pose);
 
         /// <summary>A column of another table than <see cref="All"/>.</summary>
         internal static ResultColumn Of<TRow>(string name, string title, string unit, Func<TRow, double?> value) =>
@@ -164,13 +168,13 @@ namespace Glint.Core
 
         /// <summary>The value; null if the row has none.</summary>
         /// <param name="row">A row of the column's table.</param>
-        /// <param name="where">The pose of the row, for the message; may be empty.</param>
+        /// <param name="where">The pose of the row, for the message; its text may be empty.</param>
         /// <exception cref="GlintException">The value is NaN or infinite.</exception>
-        internal double? Value(object row, string where)
+        internal double? Value(object row, object where)
         {
             double? value = _value(row);
             if (value is double number && (double.IsNaN(number) || double.IsInfinity(number)))
-                throw new GlintException($"{Name} is not finite{(where.Length == 0 ? "" : " at " + where)}: "
+                throw new GlintException(Name + " is not finite" + (where.ToString().Length == 0 ? "" : $" at {where}") + ": "
                     + "check the scene for huge coordinates, and report it if there are none");
             // -0 becomes 0, as it is read from the files.
             return value + 0.0;

@@ -18,11 +18,11 @@ namespace Glint.Core
             FolderSuffix = "-rcs",
             WholeFiles = new[]
             {
-                new WholeFile("rcs.npz", CrossSectionArrays.Write, (info, rows) => true),
+                new WholeFile("rcs.npz", CrossSectionArrays.Write, run => true),
                 new WholeFile("contributions.csv", ContributionFiles.WriteContributions,
-                    (info, rows) => ContributionFiles.AreIn(rows)),
+                    run => ContributionFiles.AreIn(run.Rows)),
                 new WholeFile("hotspots.csv", ContributionFiles.WriteHotSpots,
-                    (info, rows) => ContributionFiles.AreIn(rows))
+                    run => ContributionFiles.AreIn(run.Rows))
             }
         };
 
@@ -32,17 +32,17 @@ namespace Glint.Core
             FolderSuffix = "-echo",
             WholeFiles = new[]
             {
-                new WholeFile("profile.csv", EchoFiles.WriteTable, (info, rows) => true),
+                new WholeFile("profile.csv", EchoFiles.WriteTable, run => run.Echo.Settings.Image == null),
                 new WholeFile("doppler.csv", EchoFiles.WriteMaps,
-                    (info, rows) => CrossSectionPlan.Of(info.Sweep).Pulses != null),
+                    run => run.Echo.Plan.Pulses != null),
                 new WholeFile("detections.csv", EchoFiles.WriteDetections,
-                    (info, rows) => EchoSettings.Of(info).Detection != null),
-                new WholeFile("echo.npz", EchoFiles.WriteNumpy, (info, rows) => true),
-                new WholeFile("echo.mat", EchoFiles.WriteMatlab, (info, rows) => EchoSettings.Of(info).HasMatlab),
+                    run => run.Echo.Settings.Detection != null),
+                new WholeFile("echo.npz", EchoFiles.WriteNumpy, run => true),
+                new WholeFile("echo.mat", EchoFiles.WriteMatlab, run => run.Echo.Settings.HasMatlab),
                 new WholeFile("echo.sigmf-data", EchoFiles.WriteSigMfData,
-                    (info, rows) => EchoSettings.Of(info).HasSigMf),
+                    run => run.Echo.Settings.HasSigMf),
                 new WholeFile("echo.sigmf-meta", EchoFiles.WriteSigMfMeta,
-                    (info, rows) => EchoSettings.Of(info).HasSigMf)
+                    run => run.Echo.Settings.HasSigMf)
             }.Concat(ImageFiles.All).ToArray()
         };
 
@@ -108,15 +108,33 @@ namespace Glint.Core
     /// <summary>A file made of the rows of a whole sweep.</summary>
     sealed class WholeFile
     {
-        public WholeFile(string name, Action<Stream, RunInfo, IReadOnlyList<StoredRow>> write,
-            Func<RunInfo, IReadOnlyList<StoredRow>, bool> isWanted) =>
+        public WholeFile(string name, Action<Stream, WholeRun> write, Func<WholeRun, bool> isWanted) =>
             (Name, Write, IsWanted) = (name, write, isWanted);
 
         public string Name { get; }
 
-        public Action<Stream, RunInfo, IReadOnlyList<StoredRow>> Write { get; }
+        public Action<Stream, WholeRun> Write { get; }
 
         /// <summary>Whether it is written for these rows.</summary>
-        public Func<RunInfo, IReadOnlyList<StoredRow>, bool> IsWanted { get; }
+        public Func<WholeRun, bool> IsWanted { get; }
+    }
+
+    /// <summary>A whole run, for the files made of it.</summary>
+    sealed class WholeRun
+    {
+        readonly Lazy<EchoProfiles> _echo;
+
+        public WholeRun(RunInfo info, IReadOnlyList<StoredRow> rows)
+        {
+            (Info, Rows) = (info, rows);
+            _echo = new Lazy<EchoProfiles>(() => new EchoProfiles(info, rows));
+        }
+
+        public RunInfo Info { get; }
+
+        public IReadOnlyList<StoredRow> Rows { get; }
+
+        /// <summary>Of a run of <see cref="ResultTable.Echo"/>.</summary>
+        public EchoProfiles Echo => _echo.Value;
     }
 }

@@ -29,7 +29,11 @@ namespace Glint.Core
 
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false);
 
+        // Letters.
+        const int TextBuffer = 1 << 13;
+
         readonly List<StoredRow> _rows = new List<StoredRow>();
+        readonly MemoryStream _bytes = new MemoryStream();
         readonly ResultTable _table;
         readonly FolderLock _lock;
         SweepIdentity _sweep;
@@ -149,22 +153,30 @@ namespace Glint.Core
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public void Append(SweepRow row) => Append(new StoredRow(row));
 
+        /// <summary>Writes and flushes some rows at once.</summary>
         /// <inheritdoc cref="Append(SweepRow)"/>
-        public void Append(CrossSectionRow row) => Append(new StoredRow(row));
+        public void Append(IEnumerable<CrossSectionRow> rows) =>
+            Append(rows.Select(row => new StoredRow(row)).ToArray());
 
         /// <inheritdoc cref="Append(SweepRow)"/>
         public void Append(ClutterRow row) => Append(new StoredRow(row));
 
-        internal void Append(StoredRow row)
+        internal void Append(params StoredRow[] rows)
         {
             RequireUnfinished();
             if (_csv == null)
                 Create();
             // Those of the first row, since all rows have an echo or none has.
-            var columns = _table.ColumnsOf(_rows.Count == 0 ? row : _rows[0]);
-            Write(_sweep == null ? "" : ResultsJson.Line(row, _table) + "\n",
-                (_rows.Count == 0 ? Csv(columns) : "") + row.ToCsv(columns));
-            _rows.Add(row);
+            var columns = _table.ColumnsOf(_rows.Count == 0 ? rows[0] : _rows[0]);
+            Write(text =>
+            {
+                foreach (var row in rows)
+                {
+                    ResultsJson.WriteRow(text, row, _table);
+                    text.Write('\n');
+                }
+            }, text => WriteCsv(text, columns, rows, hasHeader: _rows.Count == 0));
+            _rows.AddRange(rows);
         }
 
         /// <summary>
@@ -179,15 +191,16 @@ namespace Glint.Core
             if (_csv == null)
             {
                 Create();
-                Write("", Csv(_table.ColumnsOf(_rows)));
+                Write(text => { }, text => WriteCsv(text, _table.ColumnsOf(_rows), _rows));
             }
             Close();
             try
             {
+                var run = new WholeRun(info, _rows);
                 if (info.Sweep != null && info.Sweep.Shard == null)
-                    foreach (var whole in _table.WholeFiles.Where(whole => whole.IsWanted(info, _rows)))
+                    foreach (var whole in _table.WholeFiles.Where(whole => whole.IsWanted(run)))
                         Try($"{PathOf(whole)}: cannot be written ({CsvPath} is complete)",
-                            () => Replace(PathOf(whole), file => whole.Write(file, info, _rows)));
+                            () => Replace(PathOf(whole), file => whole.Write(file, run)));
                 Try($"{JsonPath}: cannot be written ({CsvPath} is complete)",
                     () => Replace(JsonPath, file => WriteJson(file, info)));
                 Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
@@ -234,7 +247,8 @@ namespace Glint.Core
             else
             {
                 _partial = Open(PartialPath, FileMode.Create);
-                _partialLength += Put(_partial, ResultsJson.Line(StartedUtc.Value, _sweep, _table) + "\n");
+                _partialLength += Put(_partial,
+                    text => text.Write(ResultsJson.Line(StartedUtc.Value, _sweep, _table) + "\n"));
             }
             File.Delete(JsonPath);
             foreach (string whole in WholePaths)
@@ -251,7 +265,7 @@ namespace Glint.Core
             int kept = Math.Min(earlier.Rows.Count, poses - 1);
             if (kept == 0)
                 return 0;
-            var csv = Utf8.GetBytes(Csv(_table.ColumnsOf(earlier.Rows.Take(1)), earlier.Rows.Take(kept)));
+            var csv = BytesOf(text => WriteCsv(text, _table.ColumnsOf(earlier.Rows.Take(1)), earlier.Rows.Take(kept)));
             Try($"{CsvPath}: cannot be written", () =>
             {
                 int same = CheckCsv(earlier.Rows, csv);
@@ -278,7 +292,7 @@ namespace Glint.Core
             var all = _table.ColumnsOf(rows.Take(1));
             var columns = all.Where(column => names.Contains(column.Name)).ToArray();
             bool isOlder = columns.Length == names.Length && columns.Length < all.Count;
-            var expected = Utf8.GetBytes(Csv(isOlder ? columns : all, rows));
+            var expected = BytesOf(text => WriteCsv(text, isOlder ? columns : all, rows));
             int same = 0;
             while (same < there.Length && same < expected.Length && there[same] == expected[same])
                 same++;
@@ -288,9 +302,14 @@ namespace Glint.Core
             return isOlder ? 0 : Math.Min(same, csv.Length);
         }
 
-        static string Csv(IReadOnlyList<ResultColumn> columns, IEnumerable<StoredRow> rows = null) =>
-            string.Join(",", columns.Select(column => column.Name)) + "\n"
-            + string.Concat((rows ?? Enumerable.Empty<StoredRow>()).Select(row => row.ToCsv(columns)));
+        static void WriteCsv(TextWriter text, IReadOnlyList<ResultColumn> columns, IEnumerable<StoredRow> rows,
+            bool hasHeader = true)
+        {
+            if (hasHeader)
+                text.Write(string.Join(",", columns.Select(column => column.Name)) + "\n");
+            foreach (var row in rows)
+                row.WriteCsv(text, columns);
+        }
 
         void Require(SweepIdentity earlier, string path)
         {
@@ -302,11 +321,11 @@ namespace Glint.Core
         }
 
         // results.partial first: a sweep is resumed from it. An incomplete row in either file is cut off.
-        void Write(string partial, string lines)
+        void Write(Action<TextWriter> partial, Action<TextWriter> lines)
         {
             try
             {
-                int more = partial.Length == 0 ? 0 : Put(_partial, partial);
+                int more = _sweep == null ? 0 : Put(_partial, partial);
                 _csvLength += Put(_csv, lines);
                 _partialLength += more;
             }
@@ -318,12 +337,27 @@ namespace Glint.Core
             }
         }
 
-        static int Put(FileStream file, string text)
+        // At once: the file has no buffer.
+        int Put(FileStream file, Action<TextWriter> write)
         {
-            var bytes = Utf8.GetBytes(text);
-            file.Write(bytes, 0, bytes.Length);
+            _bytes.SetLength(0);
+            WriteTo(_bytes, write);
+            file.Write(_bytes.GetBuffer(), 0, (int)_bytes.Length);
             file.Flush();
-            return bytes.Length;
+            return (int)_bytes.Length;
+        }
+
+        static byte[] BytesOf(Action<TextWriter> write)
+        {
+            var bytes = new MemoryStream();
+            WriteTo(bytes, write);
+            return bytes.ToArray();
+        }
+
+        static void WriteTo(Stream output, Action<TextWriter> write)
+        {
+            using (var text = new StreamWriter(output, Utf8, TextBuffer, leaveOpen: true))
+                write(text);
         }
 
         // Unbuffered, so that closing does not write a failed row again.

@@ -54,7 +54,32 @@ namespace Glint.Core
         });
 
         /// <summary>A row in one line, without its end.</summary>
-        public static string Line(StoredRow row, ResultTable table) => Line(table, json => json.WriteRow(row));
+        public static string Line(StoredRow row, ResultTable table)
+        {
+            var text = new StringWriter(CultureInfo.InvariantCulture);
+            WriteRow(text, row, table);
+            return text.ToString();
+        }
+
+        /// <summary>Writes a row in one line, without its end: columns by hand, for there may be many rows.</summary>
+        public static void WriteRow(TextWriter text, StoredRow row, ResultTable table)
+        {
+            var columns = table.ColumnsOf(row);
+            text.Write('{');
+            for (int i = 0; i < columns.Count; i++)
+            {
+                if (i > 0)
+                    text.Write(',');
+                text.Write(columns[i].JsonName);
+                if (row[columns[i]] is double value)
+                    Numbers.Write(text, value);
+                else
+                    text.Write("null");
+            }
+            text.Write(!table.HasTimings && row.PhaseHistogram == null && row.Contributions == null
+                ? "}"
+                : "," + Line(table, json => json.WriteBesideColumns(row)).Substring(1));
+        }
 
         static string Line(ResultTable table, Action<ResultsJson> write)
         {
@@ -79,7 +104,7 @@ namespace Glint.Core
             WriteColumns(rows);
             Open("rows", array: true);
             foreach (var row in rows)
-                WriteRow(row);
+                _json.WriteRawValue(Line(row, _table));
             _json.WriteEndArray();
             _json.WriteEndObject();
         }
@@ -186,24 +211,19 @@ namespace Glint.Core
             _json.WriteEndObject();
         }
 
-        void WriteRow(StoredRow row)
+        void WriteBesideColumns(StoredRow row)
         {
             _json.WriteStartObject();
-            OnOneLine(() =>
+            if (_table.HasTimings)
+                WriteTimings(new[] { row });
+            if (row.PhaseHistogram != null)
+                WriteHistogram(row.PhaseHistogram);
+            if (row.Contributions != null)
             {
-                foreach (var column in _table.ColumnsOf(row))
-                    Raw(column.Name, row.Cell(column));
-                if (_table.HasTimings)
-                    WriteTimings(new[] { row });
-                if (row.PhaseHistogram != null)
-                    WriteHistogram(row.PhaseHistogram);
-                if (row.Contributions != null)
-                {
-                    _json.WritePropertyName(ContributionsJson.Name);
-                    ContributionsJson.Write(_json, row.Contributions);
-                }
-                _json.WriteEndObject();
-            });
+                _json.WritePropertyName(ContributionsJson.Name);
+                ContributionsJson.Write(_json, row.Contributions);
+            }
+            _json.WriteEndObject();
         }
 
         void WriteHistogram(IReadOnlyList<int> bins)

@@ -106,8 +106,7 @@ namespace Glint.Core
             info.Sweep = info.Sweep.WithShard(null);
             using (var folder = ResultsFolder.Open(output, parts[0].Table))
             {
-                foreach (var row in parts.SelectMany(part => part.Rows))
-                    folder.Append(row);
+                folder.Append(parts.SelectMany(part => part.Rows).ToArray());
                 folder.Finish(info);
                 return folder;
             }

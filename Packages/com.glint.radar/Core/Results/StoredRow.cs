@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using Newtonsoft.Json.Linq;
 
@@ -14,23 +15,27 @@ namespace Glint.Core
         readonly double?[] _values;
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        public StoredRow(SweepRow row) : this(ResultTable.Sweep, row, row.Pose.ToString())
+        public StoredRow(SweepRow row) : this(ResultTable.Sweep, row, row.Pose)
         {
             Timings = row.Result.Statistics.Timings;
             PhaseHistogram = row.Result.PhaseHistogram?.ToArray();
         }
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        public StoredRow(CrossSectionRow row) : this(ResultTable.CrossSection, row, row.ToString()) =>
+        public StoredRow(CrossSectionRow row) : this(ResultTable.CrossSection, row, row) =>
             Contributions = row.Contributions;
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        public StoredRow(ClutterRow row) : this(ResultTable.Clutter, row, row.ToString())
+        public StoredRow(ClutterRow row) : this(ResultTable.Clutter, row, row)
         {
         }
 
-        StoredRow(ResultTable table, object row, string where) =>
-            _values = table.Columns.Select(column => column.Value(row, where)).ToArray();
+        StoredRow(ResultTable table, object row, object where)
+        {
+            _values = new double?[table.Columns.Count];
+            for (int i = 0; i < _values.Length; i++)
+                _values[i] = table.Columns[i].Value(row, where);
+        }
 
         /// <summary>A row that was written as JSON.</summary>
         /// <exception cref="FormatException">It lacks a value.</exception>
@@ -95,9 +100,19 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// The line of results.csv with some columns. The shortest text of a number is the one that was read.
+        /// Writes the line of results.csv with some columns. The shortest text of a number is the one that was read.
         /// </summary>
-        internal string ToCsv(IEnumerable<ResultColumn> columns) => string.Join(",", columns.Select(Cell)) + "\n";
+        internal void WriteCsv(TextWriter text, IReadOnlyList<ResultColumn> columns)
+        {
+            for (int i = 0; i < columns.Count; i++)
+            {
+                if (i > 0)
+                    text.Write(',');
+                if (this[columns[i]] is double value)
+                    Numbers.Write(text, value);
+            }
+            text.Write('\n');
+        }
 
         /// <summary>The value as a text; null where there is none.</summary>
         internal string Cell(ResultColumn column) => this[column] is double value ? Numbers.Format(value) : null;

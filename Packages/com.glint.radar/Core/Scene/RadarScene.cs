@@ -70,6 +70,14 @@ namespace Glint.Core
         /// <summary>Whether an instance moves.</summary>
         public bool IsMoving => Instances.Any(instance => !instance.Motion.IsNone);
 
+        /// <summary>The scene with a motion of all its instances.</summary>
+        public RadarScene MovingBy(RigidMotion motion) => new RadarScene(Array.ConvertAll(Instances, instance =>
+        {
+            instance.Motion = motion;
+            return instance;
+        }))
+        { Surfaces = Surfaces, Seas = Seas, Origin = Origin };
+
         /// <summary>Triangles of all instances.</summary>
         public long TriangleCount => Instances.Sum(instance => (long)instance.Mesh.TriangleCount);
     }

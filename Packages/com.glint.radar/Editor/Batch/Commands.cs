@@ -195,8 +195,8 @@ namespace Glint.Editor
 
         /// <summary>Computes an image of a sweep of looks.</summary>
         public static readonly Command Isar = new Command("isar", "Compute an ISAR image of a scene or a mesh file in "
-            + "dBsm from a sweep of small angles, and write image.csv, image.npz, a PNG file for each polarisation, and "
-            + "the files of glint echo.")
+            + "dBsm from a sweep of small angles, and write image.csv, image.npz, a PNG file for each polarisation, "
+            + "responses.csv, echo.npz and results.json.")
         {
             Options = EchoOptions.AllOfImage,
             Required = new Option[] { CrossSectionOptions.Azimuth },

@@ -131,19 +131,21 @@ namespace Glint.Editor
                     var row = run.Step(progress, progress.Cancel);
                     if (run.Done == before + 1)
                         progress.Print(lines.Header);
-                    if (lines.Add(row) is string text)
-                        progress.Print(text);
                     unmet.Add(row);
                     comparison.Add(row);
-                    progress.Advance(run.Done, run.Count == 1 ? null : row.ToString());
+                    string text = lines.Add(row);
+                    if (text != null)
+                        progress.Print(text);
+                    if (text != null || run.IsComplete)
+                        progress.Advance(run.Done, run.Count == 1 ? null : row.ToString());
                 }
             }
             finally
             {
                 progress.Finish();
-                if (!run.IsComplete && run.Done > 0)
+                if (!run.IsComplete && folder.Rows.Count > 0)
                     Debug.Log(FormattableString.Invariant(
-                        $"{run.Done} of {run.Count} rows are done and kept; the same command with {Options.Resume.Flag} continues"));
+                        $"{folder.Rows.Count} of {run.Count} rows are done and kept; the same command with {Options.Resume.Flag} continues"));
             }
             if (!run.IsComplete)
                 return Batch.Cancelled;

@@ -35,7 +35,10 @@ namespace Glint.Editor
                 DescribePulses(settings.BandOf(plan), plan, opened.scene, opened.name, progress);
             bool isImage = line.Command == Commands.Isar;
             if (isImage)
+            {
                 settings.Image = ImageOf(line, setup, opened.name, progress);
+                progress.Print($"azimuths of a trace: {setup.Looks.Looks}");
+            }
             using (var imager = isImage ? new IsarImager(ProjectAssets.ImageKernel, opened.name) : null)
             {
                 if (isImage)

@@ -9,8 +9,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers in the far field and of neighbouring
-    /// frequencies (<see cref="FrequencyGroups"/>).
+    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers in the far field, of neighbouring
+    /// frequencies (<see cref="FrequencyGroups"/>) and of neighbouring looks of an image (<see cref="LookGroups"/>).
     /// </summary>
     public sealed class CrossSectionRun : IDisposable
     {
@@ -19,10 +19,15 @@ namespace Glint
         readonly CrossSectionTracer _tracer;
         readonly int _first;
         readonly FrequencyGroups _groups;
+        readonly LookGroups _looks;
+        readonly RadarScene _turningScene;
         readonly int _receiversOfTrace, _posesTogether;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
         readonly SweepIdentity _identity;
+
+        // Rows that are written, and not returned yet.
+        readonly Queue<CrossSectionRow> _ready = new Queue<CrossSectionRow>();
 
         // Traces of the current direction and of later ones, by their first frequency and first receiver.
         readonly Dictionary<(int Pose, int, int), (CrossSectionPose, CrossSectionResult)> _traces =
@@ -51,6 +56,8 @@ namespace Glint
             _first = shard?.First(rows) ?? 0;
             Count = (shard?.End(rows) ?? rows) - _first;
             _groups = new FrequencyGroups(setup.Plan.Frequencies, setup.UsedMaterials(), setup.MaxCoefficientError);
+            _looks = setup.Looks;
+            _turningScene = setup.Scene.MovingBy(LookGroups.TurnAbout(setup.PhaseCentre));
             _receiversOfTrace = double.IsPositiveInfinity(setup.Range) ? TubeKernels.MaxReceivers : 1;
             if (folder != null)
             {
@@ -76,7 +83,10 @@ namespace Glint
         /// <summary>True if all rows are done.</summary>
         public bool IsComplete => Done == Count;
 
-        /// <summary>Computes and writes the next row; after the last row it writes the other files.</summary>
+        /// <summary>
+        /// Computes and writes the next row, with others of its direction, which later steps return; after the last row
+        /// it writes the other files.
+        /// </summary>
         /// <param name="progress">Receives the fraction of the trace done, 0 to 1; may be null.</param>
         /// <param name="cancel">Cancels the trace.</param>
         /// <exception cref="GlintException">
@@ -85,21 +95,33 @@ namespace Glint
         /// <exception cref="OperationCanceledException">The trace was cancelled; earlier rows are kept.</exception>
         public CrossSectionRow Step(IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            var planned = _setup.Plan[_first + Done];
-            var key = TraceOf(planned);
-            if (!_traces.ContainsKey(key))
-                TraceFrom(_first + Done, progress, cancel);
-            var (pose, trace) = _traces[key];
-            int receiver = planned.Receiver - key.Receiver, frequency = planned.FrequencyIndex - key.Frequency;
-            var row = RowOf(planned, trace, receiver, pose.SampleOf(planned.Pulse, frequency));
-            if (_setup.HasContributions)
-                row.Contributions = _tracer.Contributions(pose, trace, receiver, frequency, _setup.Polarisations,
-                    progress, cancel);
-            _folder?.Append(row);
+            if (_ready.Count == 0)
+                Compute(progress, cancel);
+            var row = _ready.Dequeue();
             Done++;
             if (IsComplete)
                 WriteOtherFiles();
             return row;
+        }
+
+        // The next row, and with it those of its direction that are traced already: they are written at once. A row with
+        // contributions takes a trace of its own, and is written alone.
+        void Compute(IProgress<double> progress, CancellationToken cancel)
+        {
+            int first = _first + Done, pose = _setup.Plan[first].Pose;
+            if (!_traces.ContainsKey(TraceOf(_setup.Plan[first])))
+                TraceFrom(first, progress, cancel);
+            var rows = new List<CrossSectionRow>();
+            for (int number = first; number < _first + Count && (rows.Count == 0 || !_setup.HasContributions); number++)
+            {
+                var planned = _setup.Plan[number];
+                if (planned.Pose != pose || !_traces.ContainsKey(TraceOf(planned)))
+                    break;
+                rows.Add(RowOf(planned, progress, cancel));
+            }
+            _folder?.Append(rows);
+            foreach (var row in rows)
+                _ready.Enqueue(row);
         }
 
         /// <summary>Releases the device's buffers and the folder.</summary>
@@ -110,8 +132,9 @@ namespace Glint
         }
 
         // The trace that a row is of.
-        (int Pose, int Frequency, int Receiver) TraceOf(in PlannedCrossSection planned) => (planned.Pose,
-            _groups.FirstOf(planned.FrequencyIndex), planned.Receiver / _receiversOfTrace * _receiversOfTrace);
+        (int Pose, int Frequency, int Receiver) TraceOf(in PlannedCrossSection planned) => (
+            _looks.FirstOf(planned.Pose), _groups.FirstOf(planned.FrequencyIndex),
+            planned.Receiver / _receiversOfTrace * _receiversOfTrace);
 
         // Traces a row, and the rows of the same frequencies and receivers in later directions.
         void TraceFrom(int row, IProgress<double> progress, CancellationToken cancel)
@@ -126,7 +149,8 @@ namespace Glint
                 var planned = _setup.Plan[row];
                 if (TraceOf(planned) != (pose, frequency, receiver))
                     continue;
-                keys.Add((pose++, frequency, receiver));
+                keys.Add((pose, frequency, receiver));
+                pose += _looks.Looks;
                 poses.Add(PoseOf(row, planned, frequency, receiver));
             }
             var results = Trace(poses, progress, cancel);
@@ -154,17 +178,38 @@ namespace Glint
             int receivers = Math.Min(_receiversOfTrace, plan.Receivers - receiver), first = row - planned.Receiver;
             var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[first + i].ReceiverAspect).ToArray();
             var frequencies = plan.Frequencies.Where((_, i) => _groups.FirstOf(i) == frequency).ToArray();
-            return _setup.PoseOf(planned, aspects, frequencies);
+            return _looks.Looks == 1
+                ? _setup.PoseOf(planned, aspects, frequencies)
+                : MiddleOf(planned, frequencies);
         }
 
-        CrossSectionRow RowOf(in PlannedCrossSection planned, CrossSectionResult trace, int receiver, int sample) =>
-            new CrossSectionRow(planned, trace.S[receiver, sample], _setup.Polarisations)
+        // The pose of the looks that share the trace of one.
+        CrossSectionPose MiddleOf(PlannedCrossSection planned, double[] frequencies)
+        {
+            planned.AzimuthDegrees = _looks.MiddleOf(planned.Pose);
+            var pose = _setup.PoseOf(planned, new[] { planned.Radar }, frequencies);
+            (pose.Scene, pose.Times, pose.WaveFactors) = (_turningScene, _looks.Times, _looks.Factors);
+            return pose;
+        }
+
+        CrossSectionRow RowOf(in PlannedCrossSection planned, IProgress<double> progress, CancellationToken cancel)
+        {
+            var key = TraceOf(planned);
+            var (pose, trace) = _traces[key];
+            int receiver = planned.Receiver - key.Receiver, frequency = planned.FrequencyIndex - key.Frequency;
+            // There are several looks of a trace, or several pulses.
+            int sample = pose.SampleOf(planned.Pulse + planned.Pose - key.Pose, frequency);
+            return new CrossSectionRow(planned, trace.S[receiver, sample], _setup.Polarisations)
             {
                 Error = trace.Errors[receiver, sample], FloorDbsm = _setup.FloorDbsm,
                 ToleranceDb = _setup.ToleranceDb, Radius = _setup.Radius,
                 CoarseShare = _setup.Quality.Share(Signal.Wavelength(planned.Frequency)),
-                Tubes = trace.Tubes, Rays = trace.Rays
+                Tubes = trace.Tubes, Rays = trace.Rays,
+                Contributions = _setup.HasContributions
+                    ? _tracer.Contributions(pose, trace, receiver, frequency, _setup.Polarisations, progress, cancel)
+                    : null
             };
+        }
 
         void WriteOtherFiles()
         {

@@ -15,8 +15,8 @@ namespace Glint
         // Largest error of a phase, rad, whatever the tolerance.
         const double MaxPhaseError = 0.12;
 
-        // Of the error that the tolerance allows: what a reflection coefficient may be off by.
-        const double CoefficientPart = 0.1;
+        // Of the error that the tolerance allows: what coefficients and looks may be off by in a shared trace.
+        const double SharedPart = 0.1;
 
         // And at most over a band: range profiles are then within 60 dB below an echo for each of its bounces.
         const double MaxBandError = 1e-3;
@@ -193,8 +193,19 @@ namespace Glint
             Math.Min(MaxPhaseError, CrossSectionAccuracy.AllowedBy(toleranceDb)) / PhaseError(1);
 
         /// <summary>Relative error that reflection coefficients may have where frequencies share a trace.</summary>
-        internal double MaxCoefficientError => Math.Min(CoefficientPart * CrossSectionAccuracy.AllowedBy(ToleranceDb),
-            Echo == null ? double.PositiveInfinity : MaxBandError);
+        internal double MaxCoefficientError =>
+            Math.Min(SharedError, Echo == null ? double.PositiveInfinity : MaxBandError);
+
+        double SharedError => SharedPart * CrossSectionAccuracy.AllowedBy(ToleranceDb);
+
+        /// <summary>
+        /// Looks of an image that share a trace. Those of anything else have their own, and those with the clutter of a
+        /// sea.
+        /// </summary>
+        public LookGroups Looks => Echo?.Image == null || Plan.Pulses != null || Plan.IsBistatic
+            || !double.IsPositiveInfinity(Range) || Scene.Seas.Count > 0 || HasContributions
+                ? new LookGroups()
+                : new LookGroups(Plan, BoxMin - PhaseCentre, BoxMax - PhaseCentre, SharedError, MaxBandError);
 
         /// <summary>Materials of triangles.</summary>
         internal IReadOnlyList<SurfaceMaterial> UsedMaterials() => Scene.Instances

@@ -109,7 +109,7 @@ namespace Glint
         public ScatteringMatrix MatrixOf(long[] sums, int first, int receiver, int sample)
         {
             Complex Amplitude(int sum) => new Complex(sums[first + sum], sums[first + sum + 1]) / UnitsPerMetre;
-            double k = 2 * Math.PI / Signal.Wavelength(_pose.FrequencyOf(sample));
+            double k = 2 * Math.PI / Signal.Wavelength(_pose.PhaseFrequencyOf(sample));
             var phase = Complex.FromPolarCoordinates(1, k * _grid.PhaseOf(_pose, _pose.Receivers[receiver]));
             return phase * new ScatteringMatrix
             {

@@ -88,7 +88,7 @@ namespace Glint
             _read = new uint[outputSize];
             _maxCells = CornerCapacity(pose);
             _lists.Reserve(outputSize, Capacity, CellCapacity(pose), Enumerable.Range(0, pose.Samples).Select(sample =>
-                TubeLists.WaveNumber(pose.FrequencyOf(sample), pose.TimeOf(sample))));
+                TubeLists.WaveNumber(pose.PhaseFrequencyOf(sample), pose.TimeOf(sample))));
             _lists.ReserveRays(Corners, CornerCapacity(pose));
             _tubeParts.Reserve(tubeParts);
             _tubeRates.Reserve(pose.IsMoving ? Capacity : 1);

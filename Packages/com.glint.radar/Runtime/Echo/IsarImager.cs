@@ -46,8 +46,7 @@ namespace Glint
                 int count = Math.Min(LooksADispatch, profiles.Count - first);
                 _looks.Upload(Enumerable.Range(first, count)
                     .Select(look => new IsarLook(transform.LookOf(look))).ToArray());
-                _profiles.Upload(profiles.Skip(first).Take(count).SelectMany(profile => profile)
-                    .Select(cell => new float2((float)cell.Real, (float)cell.Imaginary)).ToArray());
+                _profiles.Upload(CellsOf(profiles, first, count));
                 _shader.SetBuffer(_kernel, s_looks, _looks.Buffer);
                 _shader.SetBuffer(_kernel, s_profiles, _profiles.Buffer);
                 _shader.SetInts(s_size, pixels, cells, count, first > 0 ? 1 : 0);
@@ -56,6 +55,18 @@ namespace Glint
             var read = new float2[pixels * pixels];
             _image.ReadBack(read, read.Length);
             return Array.ConvertAll(read, value => new Complex(value.x, value.y));
+        }
+
+        static float2[] CellsOf(IReadOnlyList<Complex[]> profiles, int first, int count)
+        {
+            int cells = profiles[first].Length;
+            var all = new float2[count * cells];
+            for (int i = 0; i < all.Length; i++)
+            {
+                var cell = profiles[first + i / cells][i % cells];
+                all[i] = new float2((float)cell.Real, (float)cell.Imaginary);
+            }
+            return all;
         }
 
         /// <summary>Releases all buffers on the device.</summary>

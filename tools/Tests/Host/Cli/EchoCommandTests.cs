@@ -119,7 +119,10 @@ public sealed class EchoCommandTests : EchoFixture
         Run([.. echo, "--out", At("whole")]);
         var line = CommandLine.Parse(Commands.Echo, [.. echo, "--out", At("stopped")]);
         Project.Open(Project.FindRoot(AppContext.BaseDirectory));
-        Assert.That(Batch.Execute(line, new CancelAfter(21)), Is.EqualTo(130));
+        Assert.That(Batch.Execute(line, new CancelAfter(32)), Is.EqualTo(130));
+        // The rows of a direction are written at once: a program killed meanwhile leaves some of them.
+        foreach (string name in new[] { "stopped/results.partial", "stopped/responses.csv" })
+            File.WriteAllText(At(name), string.Concat(File.ReadAllLines(At(name)).Take(22).Select(each => each + "\n")));
         Assert.That(Run([.. echo, "--out", At("stopped"), "--resume"]),
             Does.Contain("resumed: 21 of 64 rows are done"));
         AssertSame("stopped");

@@ -111,7 +111,7 @@ public sealed class EchoPulsesTests : EchoFixture
         Run([.. echo, "--out", At("whole")]);
         var line = CommandLine.Parse(Commands.Echo, [.. echo, "--out", At("stopped")]);
         Project.Open(Project.FindRoot(AppContext.BaseDirectory));
-        Assert.That(Batch.Execute(line, new CancelAfter(21)), Is.EqualTo(130));
+        Assert.That(Batch.Execute(line, new CancelAfter(64)), Is.EqualTo(130));
         Run([.. echo, "--out", At("stopped"), "--resume"]);
         foreach (string name in new[] { "responses.csv", "profile.csv", "doppler.csv", "echo.npz" })
             Assert.That(File.ReadAllBytes(At($"stopped/{name}")), Is.EqualTo(File.ReadAllBytes(At($"whole/{name}"))),
