@@ -41,7 +41,7 @@ namespace Glint.Tests
                 Centre = float3(37, 38, 39), Length = 40, Along = float3(41, 42, 43), OuterAngle = 44,
                 Into = float3(45, 46, 47), Part = 48, Instance = 81, Unused = uint3(82, 83, 84)
             };
-            var facet = new SeaFacet { Centre = float3(49, 50, 51), IsBreaking = 52, Section = float3(53, 54, 55), Unused = 56 };
+            var facet = new SeaFacet { Centre = float3(49, 50, 51), IsBreaking = 52, Section = float3(53, 54, 55), LogWind = 56 };
             var tile = new SeaTileRecord
             {
                 X = float4(57, 58, 59, 60), Y = float4(61, 62, 63, 64), Z = float4(65, 66, 67, 68),
