@@ -63,7 +63,7 @@ namespace Glint.Tests
                 Unused = uint3(158, 159, 160)
             };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
-                || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68)
+                || field == 48 || field == 52 || field == 72 || field == 76 || field == 80
                 || field >= 81 && field <= 86 || field >= 145 && field <= 152 || field == 155 || field >= 158;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {

@@ -40,8 +40,9 @@ namespace Glint.Core
                     + $" must be {Elfouhaily.Winds}, the range of Elfouhaily's spectrum: give a clutter wind in that "
                     + "range");
             _spectrum = new Elfouhaily(Wind, settings.Kind == SeaSpectrumKind.Elfouhaily ? settings.Fetch : 0);
-            double weaker = Math.Max(Elfouhaily.MinWind, (1 - Gust) * Wind),
-                stronger = Math.Min(Elfouhaily.MaxWind, (1 + Gust) * Wind);
+            double weaker = (1 - Gust) * Wind, stronger = (1 + Gust) * Wind;
+            weaker = weaker < Elfouhaily.MinWind ? Elfouhaily.MinWind : weaker;
+            stronger = stronger > Elfouhaily.MaxWind ? Elfouhaily.MaxWind : stronger;
             (_weaker, _stronger) = (new Elfouhaily(weaker), new Elfouhaily(stronger));
             _logOfWinds = PortableMath.Log(stronger / weaker);
             Cut = CutOf(settings);
