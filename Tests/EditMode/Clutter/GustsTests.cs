@@ -11,7 +11,7 @@ namespace Glint.Tests
     {
         const double Wind = 9, Tile = 640, Height = 10;
 
-        // Facets of 5 m hold gusts down to 10 m. The sum over them needs no power of two.
+        // Facets of 5 m hold gusts down to 10 m.
         const int Cells = 128, Draws = 40;
 
         // Deviations over the mean wind, by draw, row and column.

@@ -10,8 +10,8 @@ namespace Glint.Core
     readonly struct Gusts
     {
         /// <summary>
-        /// Standard deviation of the wind over its friction velocity u*: the integral of n S / u*^2 = 105 f /
-        /// (1 + 33 f)^(5/3), f = n z / U, over ln n is 105 / 22.
+        /// Standard deviation of the wind over its friction velocity u*: the root of 105 / 22, which is the integral of
+        /// n S / u*^2 = 105 f / (1 + 33 f)^(5/3), f = n z / U, over ln n.
         /// </summary>
         public const double DefaultGustiness = 2.18;
 
@@ -25,7 +25,7 @@ namespace Glint.Core
 
         // Of the coherence exp(-12 sqrt((n r / U)^2 + (0.12 r / L)^2)) at a distance r across the wind, with the length
         // L = 8.1 * 0.7 z.
-        const double Decay = 12, LeastDecay = 0.12 / (8.1 * 0.7 * Height);
+        const double Decay = 12, MinDecay = 0.12 / (8.1 * 0.7 * Height);
 
         readonly double _wind, _deviation;
 
@@ -77,7 +77,7 @@ namespace Glint.Core
         static double Share(double along, double across, double step)
         {
             double perRadian = Height / (2 * Math.PI), turns = Math.Abs(along) / (2 * Math.PI),
-                decay = Decay * Math.Sqrt(turns * turns + LeastDecay * LeastDecay);
+                decay = Decay * Math.Sqrt(turns * turns + MinDecay * MinDecay);
             return step * 11 * perRadian / Math.Pow(1 + 33 * Height * turns, 5.0 / 3)
                 * (Math.Atan((across + step / 2) / decay) - Math.Atan((across - step / 2) / decay)) / Math.PI;
         }

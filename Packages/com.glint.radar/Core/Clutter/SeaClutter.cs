@@ -94,8 +94,8 @@ namespace Glint.Core
         public IReadOnlyList<bool> BreakingFacets => _breakingFacets.Value;
 
         /// <summary>
-        /// Natural logarithm of the wind in the gust over each cell of the tile, two triangles, over its mean: in the
-        /// order of the triangles. Ripples follow it; the waves that break do not.
+        /// Natural logarithm of the wind over its mean, at each cell of the tile. Triangles 2 i and 2 i + 1 are cell i.
+        /// Ripples follow it; the waves that break do not.
         /// </summary>
         public IReadOnlyList<double> LogWinds => _logWinds.Value;
 
