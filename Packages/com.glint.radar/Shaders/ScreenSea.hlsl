@@ -49,7 +49,7 @@ ScreenFacet FacetAt(float2 position)
 float SigmaOf(ScreenFacet facet, float3 toRadar)
 {
     float3 v = normalize(float3(0.0, 1.0, 0.0) - toRadar.y * toRadar);
-    float3 sigma = BraggSigma(facet.Normal, toRadar, v);
+    float3 sigma = BraggSigma(facet.Normal, toRadar, v, 0.0);
     float smooth = (_ScreenSeaCorner.z > 0.0 ? sigma.z : sigma.x) + SpecularSigma(facet.Normal, toRadar);
     return facet.IsBreaking ? BreakingSigma(saturate(toRadar.y)) : smooth;
 }

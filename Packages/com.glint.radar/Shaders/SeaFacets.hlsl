@@ -15,7 +15,7 @@ struct SeaFacet
     float3 Centre;         // m
     uint IsBreaking;       // 1: it breaks
     float3 Section;        // normal times area, m2
-    uint Unused;
+    float LogWind;         // natural logarithm of the wind in its gust over the mean wind
 };
 
 // GLINT_SEA_TILE: an instance of the tile (Runtime/Clutter/SeaFacet.cs).
@@ -135,7 +135,7 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (!IsLit(position, normal, radar))
         return;
     AddSea(copy, SEA_LIT_AREA, section.y, SEA_AREA_UNITS);
-    float3 sigma = BraggSigma(normal, radar.Direction, radar.V);
+    float3 sigma = BraggSigma(normal, radar.Direction, radar.V, facet.LogWind);
     sigma.xz += SpecularSigma(normal, radar.Direction);
     // Of the grazing angle on the mean sea, which is tilted far from the radar.
     float sine = dot(radar.Direction, float3(tile.SectionX.y, tile.SectionY.y, tile.SectionZ.y));

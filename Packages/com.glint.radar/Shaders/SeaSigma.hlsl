@@ -45,8 +45,9 @@ float2 ToWind(float3 direction)
         : float2(1.0, 0.0);
 }
 
-// Bragg scattering of a facet: sigma0 of VV, HV and HH. V is the vertical polarisation's unit vector.
-float3 BraggSigma(float3 normal, float3 toRadar, float3 v)
+// Bragg scattering of a facet: sigma0 of VV, HV and HH. V is the vertical polarisation's unit vector. The last input is
+// the logarithm of the wind in the facet's gust over the mean wind.
+float3 BraggSigma(float3 normal, float3 toRadar, float3 v, float logWind)
 {
     float3 across = cross(normal, toRadar);
     float cosine = dot(normal, toRadar), sine = length(across);
@@ -70,7 +71,7 @@ float3 BraggSigma(float3 normal, float3 toRadar, float3 v)
     power.PPSP = twice * second.y;
     float a = turn.x * turn.x, b = turn.y * turn.y, product = turn.x * turn.y;
     float both = 4.0 * a * b * power.SP + 2.0 * a * b * power.SSPP;
-    return max(0.0, float3(
+    return exp(second.w * logWind) * max(0.0, float3(
         b * b * power.SS + a * a * power.PP + both + 4.0 * product * (b * power.SSSP + a * power.PPSP),
         a * b * (power.SS + power.PP - 2.0 * power.SSPP) + (a - b) * (a - b) * power.SP
             + 2.0 * product * (a - b) * (power.SSSP - power.PPSP),

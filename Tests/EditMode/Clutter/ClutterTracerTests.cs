@@ -175,13 +175,13 @@ namespace Glint.Tests
         }
 
         // Figures of another program with other random numbers: sigma0 of HH and VV with shadow and breaking waves, and
-        // the shapes in cells of 15 x 30 m, of VV without breaking waves. The radar looks against the wind.
+        // the shapes in cells of 15 x 30 m, of VV without breaking waves and without gusts. The radar looks against the wind.
         [Test, Category("Slow")]
         public void Trace_AtGrazing_RepeatsTheMonteCarloOfFacets()
         {
             var sea = new TestSea(10, 512, 1024, 0, tiles: 2);
             var calm = SeaClutterSettings.On;
-            calm.WhitecapCoefficient = 0;
+            (calm.WhitecapCoefficient, calm.Gustiness) = (0, 0);
             var unbroken = new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, calm);
             var grid = new ClutterGrid(new double3(-256, 0, -256), new double3(1, 0, 0), new double3(0, 0, 1),
                 new double2(30, 15), new int2(17, 34));
@@ -233,7 +233,7 @@ namespace Glint.Tests
                     toRadar = math.normalize(way);
                     strength = Math.Pow(pose.Range / math.length(way), 4);
                 }
-                var sigma = table.Read(section / area, toRadar, sea.Clutter.Wind);
+                var sigma = table.Read(section / area, toRadar, sea.Clutter.Wind, sea.Clutter.LogWinds[i / 2]);
                 double breaking = SeaScattering.Breaking(toRadar.y);
                 sum += area * strength * (sea.Clutter.BreakingFacets[i] ? new Sigma0(breaking, breaking, sigma.HV) : sigma);
             }

@@ -194,6 +194,7 @@ namespace Glint.Tests
         [TestCase(nameof(SeaClutterSettings.WaterTemperature), 35, "water temperature 35 C must be from -2 to 29")]
         [TestCase(nameof(SeaClutterSettings.Salinity), -1, "salinity -1 psu must be from 0 to 40")]
         [TestCase(nameof(SeaClutterSettings.WhitecapCoefficient), 1, "whitecap coefficient 1 must be from 0 to 0.001")]
+        [TestCase(nameof(SeaClutterSettings.Gustiness), 5, "gustiness 5 must be from 0 to 4")]
         [TestCase(nameof(SeaClutterSettings.Seed), -1, "seed -1 must be from 0")]
         public void Setting_OutOfRange_IsRefused(string field, double value, string part)
         {

@@ -102,7 +102,8 @@ namespace Glint.Tests
                 var section = math.cross((double3)b - a, (double3)c - a) / 2;
                 section = section.y < 0 ? -section : section;
                 double area = math.length(section),
-                    sigma = clutter.TableAt(frequency).Read(section / area, toRadar, clutter.Wind).VV;
+                    sigma = clutter.TableAt(frequency).Read(section / area, toRadar, clutter.Wind,
+                        clutter.LogWinds[i / 2]).VV;
                 var speckle = Speckle.Between(new int2(i, 0), clutter.Seed, now / clutter.CoherenceTimeAt(centre));
                 var field = Math.Sqrt(share) * speckle.Approaching * turn
                     + Math.Sqrt(1 - share) * speckle.Receding * Complex.Conjugate(turn);

@@ -42,7 +42,7 @@ namespace Glint.Tests
                 Centre = float3(37, 38, 39), Length = 40, Along = float3(41, 42, 43), OuterAngle = 44,
                 Into = float3(45, 46, 47), Part = 48, Instance = 81, Unused = uint3(82, 83, 84)
             };
-            var facet = new SeaFacet { Centre = float3(49, 50, 51), IsBreaking = 52, Section = float3(53, 54, 55), Unused = 56 };
+            var facet = new SeaFacet { Centre = float3(49, 50, 51), IsBreaking = 52, Section = float3(53, 54, 55), LogWind = 56 };
             var tile = new SeaTileRecord
             {
                 X = float4(57, 58, 59, 60), Y = float4(61, 62, 63, 64), Z = float4(65, 66, 67, 68),
@@ -61,11 +61,10 @@ namespace Glint.Tests
                 DirectionDy = Row(121), SentV = Row(125), SentH = Row(129), GridX = Row(133), GridY = Row(137),
                 GridDepth = Row(141), Slice = uint4(145, 146, 147, 148), Cells = uint2(149, 150), Blocks = uint2(151, 152),
                 Reference = float2(153, 154), FirstCorner = 155, OriginDepth = 156, RadarPhase = 157,
-                CellError = 158,
-                MaxLevel = 159, MaxBisections = 160
+                CellError = 158, MaxLevel = 159, MaxBisections = 160
             };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
-                || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68)
+                || field == 48 || field == 52 || field == 72 || field == 76 || field == 80
                 || field >= 81 && field <= 86 || field >= 145 && field <= 152 || field == 155 || field >= 159;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {

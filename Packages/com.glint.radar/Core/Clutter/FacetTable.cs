@@ -22,7 +22,7 @@ namespace Glint.Core
         /// <summary>
         /// Floats of an element, in m2/m2: the products SS, PP, SP, SSPP of <see cref="FacetPower"/>, then SSSP and
         /// PPSP over the sine of twice the angle to the wind; sigma0 of breaking waves, whose row is over the incidence
-        /// on the mean sea; and one that is 0.
+        /// on the mean sea; and the power of the wind with which Bragg scattering of the facet itself grows.
         /// </summary>
         public const int Stride = 8;
 
@@ -41,6 +41,7 @@ namespace Glint.Core
 
         readonly SeaScattering _scattering;
         readonly double2 _slopeVariance;
+        readonly WaveDensity _windExponent;
         readonly BraggSample[] _samples = new BraggSample[Samples + 1];
 
         /// <summary>Computes the table.</summary>
@@ -53,9 +54,12 @@ namespace Glint.Core
         /// <param name="covariance">
         /// Of the unresolved slopes along and across the wind; Bragg scattering ignores it.
         /// </param>
-        public FacetTable(SeaScattering scattering, in double2 resolved, in double2 unresolved, double covariance = 0)
+        /// <param name="windExponent">Of a wave, <see cref="ShortWaves.WindExponent"/>; null: 0.</param>
+        public FacetTable(SeaScattering scattering, in double2 resolved, in double2 unresolved, double covariance = 0,
+            WaveDensity windExponent = null)
         {
             (_scattering, Unresolved, Covariance) = (scattering, unresolved, covariance);
+            _windExponent = windExponent ?? ((waveNumber, cosine) => 0);
             // The slopes of waves add, but parts of a facet are tilted from the facet, and tilts add to more than
             // slopes. This keeps the variance of all slopes, to second order.
             _slopeVariance = unresolved / (1 + 4 * resolved + resolved.yx);
@@ -87,7 +91,8 @@ namespace Glint.Core
         /// <param name="normal">Of the facet.</param>
         /// <param name="toRadar">Towards the radar.</param>
         /// <param name="wind">Horizontal, along the wind.</param>
-        public Sigma0 Read(in double3 normal, in double3 toRadar, in double3 wind)
+        /// <param name="logWind">Of <see cref="SeaClutter.LogWinds"/>.</param>
+        public Sigma0 Read(in double3 normal, in double3 toRadar, in double3 wind, double logWind = 0)
         {
             var view = new FacetView(normal, toRadar, wind);
             if (!(view.Cosine > 0))
@@ -103,8 +108,8 @@ namespace Glint.Core
                     + right * Values[at + (Columns + 1) * Stride + i]);
             double twice = 2 * view.WindSine * view.WindCosine;
             double specular = _scattering.Specular(normal, toRadar, wind, Unresolved, Covariance);
-            return new FacetPower(Value(0), Value(1), Value(2), Value(3), twice * Value(4), twice * Value(5))
-                .Seen(view.TurnCosine, view.TurnSine) + new Sigma0(specular, specular, 0);
+            return Math.Exp(Value(7) * logWind) * new FacetPower(Value(0), Value(1), Value(2), Value(3),
+                twice * Value(4), twice * Value(5)).Seen(view.TurnCosine, view.TurnSine) + new Sigma0(specular, specular, 0);
         }
 
         void Write(int row, int column)
@@ -113,10 +118,12 @@ namespace Glint.Core
             double angle = Math.Asin(Math.Sqrt((double)column / (Columns - 1)));
             angle = Math.Max(OffAxis, Math.Min(Math.PI / 2 - OffAxis, angle));
             double windCosine = Math.Cos(angle), windSine = Math.Sin(angle), twice = Math.Sin(2 * angle);
-            var power = Mean(cosine, Math.Sqrt(1 - cosine * cosine), windCosine, windSine);
+            double sine = Math.Sqrt(1 - cosine * cosine);
+            var power = Mean(cosine, sine, windCosine, windSine);
             int at = (row * Columns + column) * Stride;
             var values = new[] { power.SS, power.PP, power.SP, power.SSPP, power.SSSP / twice, power.PPSP / twice,
-                SeaScattering.Breaking(Math.Max(GrazingCosine, cosine)) };
+                SeaScattering.Breaking(Math.Max(GrazingCosine, cosine)),
+                _windExponent(_scattering.BraggWaveNumber(sine), windCosine) };
             for (int i = 0; i < values.Length; i++)
                 Values[at + i] = (float)values[i];
         }
@@ -166,8 +173,7 @@ namespace Glint.Core
 
         BraggSample Sample(double cosine)
         {
-            // Longer Bragg waves are left out.
-            double sine = Math.Max(SeaScattering.TiltShare / 2, Math.Sqrt(1 - cosine * cosine));
+            double sine = Math.Sqrt(1 - cosine * cosine);
             var (hh, vv) = _scattering.Coefficients(cosine);
             return new BraggSample(hh, vv, _scattering.BraggPower(cosine, sine, 0),
                 _scattering.BraggPower(cosine, sine, Math.Sqrt(0.5)), _scattering.BraggPower(cosine, sine, 1));

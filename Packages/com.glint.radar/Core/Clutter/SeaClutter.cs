@@ -24,6 +24,7 @@ namespace Glint.Core
         readonly Dictionary<double, FacetTable> _tables;
         readonly Lazy<bool[]> _breakingFacets;
         readonly Lazy<double3[]> _facetVelocities;
+        readonly Lazy<double[]> _logWinds;
 
         /// <summary>The echo of a sea.</summary>
         /// <param name="longWaves">The waves of its mesh.</param>
@@ -52,6 +53,8 @@ namespace Glint.Core
             _tables = other?._tables ?? new Dictionary<double, FacetTable>();
             _breakingFacets = new Lazy<bool[]>(FindBreakingFacets);
             _facetVelocities = new Lazy<double3[]>(FindFacetVelocities);
+            _logWinds = new Lazy<double[]>(() =>
+                new Gusts(ShortWaves.Wind, Settings.Gustiness).LogWinds(LongWaves, Seed, Time));
         }
 
         /// <summary>The waves of the mesh.</summary>
@@ -77,7 +80,7 @@ namespace Glint.Core
         /// </summary>
         public SurfaceMaterial Surface { get; }
 
-        /// <summary>Seed of the speckle.</summary>
+        /// <summary>Seed of speckle and gusts.</summary>
         public uint Seed => (uint)Settings.Seed;
 
         /// <summary>Fraction of the facets that break.</summary>
@@ -91,14 +94,20 @@ namespace Glint.Core
         public IReadOnlyList<bool> BreakingFacets => _breakingFacets.Value;
 
         /// <summary>
+        /// Natural logarithm of the wind over its mean, at each cell of the tile. Triangles 2 i and 2 i + 1 are cell i.
+        /// Ripples follow it; the waves that break do not.
+        /// </summary>
+        public IReadOnlyList<double> LogWinds => _logWinds.Value;
+
+        /// <summary>
         /// Velocity of the water of each triangle of the tile's mesh, in the order of its triangles, in the tile's
         /// frame, m/s: the mean over its corners, of the linear waves.
         /// </summary>
         public IReadOnlyList<double3> FacetVelocities => _facetVelocities.Value;
 
-        /// <summary>Level, wind, water, whitecaps and seed in one line.</summary>
+        /// <summary>Level, wind, water, whitecaps, gustiness and seed in one line.</summary>
         public override string ToString() => FormattableString.Invariant(
-            $"{ClutterModel.NameOf(Settings.Level)}, wind {ShortWaves.Wind:0.###} m/s, {Water}, whitecaps {Settings.WhitecapCoefficient:g3}, seed {Settings.Seed}");
+            $"{ClutterModel.NameOf(Settings.Level)}, wind {ShortWaves.Wind:0.###} m/s, {Water}, whitecaps {Settings.WhitecapCoefficient:g3}, gustiness {Settings.Gustiness:g3}, seed {Settings.Seed}");
 
         /// <summary>The echo of the same sea at another time. Both share their tables.</summary>
         public SeaClutter At(double time) => new SeaClutter(LongWaves, time, Wind, Settings, this);
@@ -159,7 +168,8 @@ namespace Glint.Core
             var (along, across) = ShortWaves.SlopeVariances(ShortWaves.Cut, scattering.TiltCut);
             double2 all = LongWaves.SlopeVariances(ShortWaves.Cut) + new double2(along, across);
             var (resolved, covariance) = LongWaves.FacetSlopeVariances();
-            return new FacetTable(scattering, resolved, math.max(0, all - resolved), -covariance);
+            return new FacetTable(scattering, resolved, math.max(0, all - resolved), -covariance,
+                ShortWaves.WindExponent);
         }
 
         double3[] FindFacetVelocities()

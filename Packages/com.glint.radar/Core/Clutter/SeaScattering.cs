@@ -180,8 +180,11 @@ namespace Glint.Core
         internal double BraggPower(double cosine, double sine, double windCosine)
         {
             double squared = WaveNumber * WaveNumber * cosine * cosine;
-            return 16 * Math.PI * squared * squared * _density(2 * WaveNumber * sine, windCosine);
+            return 16 * Math.PI * squared * squared * _density(BraggWaveNumber(sine), windCosine);
         }
+
+        // Longer Bragg waves than the cut are left out.
+        internal double BraggWaveNumber(double sine) => Math.Max(TiltCut, 2 * WaveNumber * sine);
 
         static double Deviation(int step) => LastSlope * (2.0 * step / SlopeSteps - 1);
     }

@@ -25,9 +25,9 @@ namespace Glint.Core
         /// <summary>Wave numbers for which the spectrum is used, rad/m.</summary>
         public static readonly Interval WaveNumbers = Interval.Closed(1e-3, MaxWaveNumber);
 
-        internal const double MaxWind = 20;
+        internal const double MinWind = 3, MaxWind = 20;
 
-        internal static readonly Interval Winds = Interval.Closed(3, MaxWind);
+        internal static readonly Interval Winds = Interval.Closed(MinWind, MaxWind);
 
         readonly double _peak, _peakSpeed, _inverseAge, _logEnhancement, _width, _longLevel, _shortLevel, _windTerm;
 
@@ -49,14 +49,18 @@ namespace Glint.Core
                 _inverseAge <= 1 ? 1.7 : 1.7 + 6 / Ln10 * PortableMath.Log(_inverseAge));
             _width = 0.08 * (1 + 4 / (_inverseAge * _inverseAge * _inverseAge));
             _longLevel = 0.006 * Math.Sqrt(_inverseAge);
-            // Friction velocity over the slowest speed, by the drag coefficient of Wu (1980).
-            double friction = Math.Sqrt((0.8 + 0.065 * wind) * 1e-3) * wind / SlowestSpeed;
+            double friction = FrictionVelocity(wind) / SlowestSpeed;
             _shortLevel = 0.01 * (1 + (friction <= 1 ? 1 : 3) * PortableMath.Log(friction));
             _windTerm = 0.13 * friction;
         }
 
         /// <summary>Phase speed in m/s of a deep-water wave with surface tension.</summary>
         public static double PhaseSpeed(double waveNumber) => SeaSpectrum.PhaseSpeed(waveNumber, SlowestWave);
+
+        /// <summary>
+        /// Friction velocity in m/s of a wind 10 m above the sea, by the drag coefficient of Wu (1980).
+        /// </summary>
+        public static double FrictionVelocity(double wind) => Math.Sqrt((0.8 + 0.065 * wind) * 1e-3) * wind;
 
         /// <summary>Variance of the height per wave number, over all directions, m3.</summary>
         public double Omnidirectional(double waveNumber)

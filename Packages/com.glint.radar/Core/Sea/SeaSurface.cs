@@ -63,6 +63,12 @@ namespace Glint.Core
 
         internal IReadOnlyList<SeaMode> Modes => _modes;
 
+        /// <summary>Largest column and row of its waves.</summary>
+        internal int Reach => _reach;
+
+        /// <summary>A field of waves up to <see cref="Reach"/>, at the first corner of each cell.</summary>
+        internal double[] AtCells(WaveCoefficients waves) => _sum.Sum(waves);
+
         // Metres along x or z: shorter waves are those of a finer tile.
         double ShortestLength => _settings.TileSize / (_reach + 0.5);
 

@@ -16,7 +16,11 @@ namespace Glint.Core
 
         const double DecibelsPerUnitOfLog = 4.342944819032518;
 
-        readonly Elfouhaily _spectrum;
+        // Part of the wind over which the spectrum's growth is taken: about that of gusts.
+        const double Gust = 0.1;
+
+        readonly Elfouhaily _spectrum, _weaker, _stronger;
+        readonly double _logOfWinds;
 
         /// <summary>The short waves of a sea.</summary>
         /// <param name="longWaves">The sea whose mesh is used.</param>
@@ -36,6 +40,11 @@ namespace Glint.Core
                     + $" must be {Elfouhaily.Winds}, the range of Elfouhaily's spectrum: give a clutter wind in that "
                     + "range");
             _spectrum = new Elfouhaily(Wind, settings.Kind == SeaSpectrumKind.Elfouhaily ? settings.Fetch : 0);
+            double weaker = (1 - Gust) * Wind, stronger = (1 + Gust) * Wind;
+            weaker = weaker < Elfouhaily.MinWind ? Elfouhaily.MinWind : weaker;
+            stronger = stronger > Elfouhaily.MaxWind ? Elfouhaily.MaxWind : stronger;
+            (_weaker, _stronger) = (new Elfouhaily(weaker), new Elfouhaily(stronger));
+            _logOfWinds = PortableMath.Log(stronger / weaker);
             Cut = CutOf(settings);
             if (!Elfouhaily.WaveNumbers.Contains(Cut))
                 throw new GlintException($"sea: its mesh holds waves up to {RadarSettings.Text(Cut)} rad/m, and its "
@@ -104,6 +113,15 @@ namespace Glint.Core
                 both = Integral(from, to, k => k * k * _spectrum.Omnidirectional(k));
             return (along, both - along);
         }
+
+        /// <summary>
+        /// Power of the wind with which the density of ripples grows: d ln density / d ln wind. They follow gusts in
+        /// about a second, whatever the fetch.
+        /// </summary>
+        /// <param name="waveNumber">rad/m.</param>
+        /// <param name="cosine">Cosine of the angle from the wind.</param>
+        public double WindExponent(double waveNumber, double cosine) => PortableMath.Log(
+            _stronger.Density(waveNumber, cosine) / _weaker.Density(waveNumber, cosine)) / _logOfWinds;
 
         /// <summary>Root mean square height of waves between two wave numbers, metres.</summary>
         /// <exception cref="GlintException">A wave number is out of the spectrum's range.</exception>

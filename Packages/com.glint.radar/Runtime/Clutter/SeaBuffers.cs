@@ -11,6 +11,7 @@ namespace Glint
     {
         TriangleMesh _mesh;
         IReadOnlyList<bool> _breaking;
+        IReadOnlyList<double> _winds;
         IReadOnlyList<double3> _velocities;
         FacetTable _table;
 
@@ -35,8 +36,9 @@ namespace Glint
         {
             var mesh = scene.Instances[sea.Tiles[0].Instance].Mesh;
             var breaking = sea.Clutter.BreakingFacets;
-            if (mesh != _mesh || breaking != _breaking)
-                Upload(Facets, FacetsOf(mesh, breaking), statistics);
+            var winds = sea.Clutter.LogWinds;
+            if (mesh != _mesh || breaking != _breaking || winds != _winds)
+                Upload(Facets, FacetsOf(mesh, breaking, winds), statistics);
             // Those of an earlier pulse stay: poses may read them in turns.
             var velocities = areMoving ? sea.Clutter.FacetVelocities : _velocities ?? Array.Empty<double3>();
             if (velocities != _velocities)
@@ -45,7 +47,7 @@ namespace Glint
             var table = sea.Clutter.TableAt(frequency);
             if (table != _table)
                 SeaSigma.Upload(table, Table);
-            (_mesh, _breaking, _table) = (mesh, breaking, table);
+            (_mesh, _breaking, _winds, _table) = (mesh, breaking, winds, table);
             FacetCount = mesh.TriangleCount;
             TileCount = sea.Tiles.Count;
             Upload(Tiles, sea.Tiles.Select(tile =>
@@ -59,7 +61,7 @@ namespace Glint
             Velocities.Dispose();
             Table.Dispose();
             Levels.Dispose();
-            (_mesh, _breaking, _velocities, _table) = (null, null, null, null);
+            (_mesh, _breaking, _winds, _velocities, _table) = (null, null, null, null, null);
         }
 
         static void Upload<T>(DeviceBuffer<T> buffer, T[] elements, TraceStatistics statistics) where T : struct
@@ -69,7 +71,7 @@ namespace Glint
         }
 
         // Facets look up, whichever way the triangles turn.
-        static SeaFacet[] FacetsOf(TriangleMesh mesh, IReadOnlyList<bool> breaking)
+        static SeaFacet[] FacetsOf(TriangleMesh mesh, IReadOnlyList<bool> breaking, IReadOnlyList<double> winds)
         {
             var facets = new SeaFacet[mesh.TriangleCount];
             for (int i = 0; i < facets.Length; i++)
@@ -79,7 +81,7 @@ namespace Glint
                 facets[i] = new SeaFacet
                 {
                     Centre = (float3)(((double3)a + b + c) / 3), IsBreaking = breaking[i] ? 1u : 0,
-                    Section = (float3)(section.y < 0 ? -section : section)
+                    Section = (float3)(section.y < 0 ? -section : section), LogWind = (float)winds[i / 2]
                 };
             }
             return facets;

@@ -10,7 +10,7 @@ namespace Glint
         public float3 Centre;
         public uint IsBreaking;
         public float3 Section;
-        public uint Unused;
+        public float LogWind;
     }
 
     // GLINT_SEA_TILE

@@ -41,7 +41,7 @@ public sealed class ClutterCommandTests
             double3 Corner(int number) => (float3)corners[triangles[3 * i + number]];
             double3 section = math.cross(Corner(1) - Corner(0), Corner(2) - Corner(0)) / 2;
             double area = math.length(section), breaking = SeaScattering.Breaking(toRadar.y);
-            var sigma = table.Read(section / area, toRadar, clutter.Wind);
+            var sigma = table.Read(section / area, toRadar, clutter.Wind, clutter.LogWinds[i / 2]);
             sum += area * (clutter.BreakingFacets[i] ? new Sigma0(breaking, breaking, sigma.HV) : sigma);
         }
         Assert.That(Number(row, "lit_fraction"), Is.EqualTo(1).Within(1e-6));
