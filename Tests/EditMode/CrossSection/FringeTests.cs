@@ -130,6 +130,29 @@ namespace Glint.Tests
             Assert.That(hidden, Is.GreaterThan(0.05), "edges are hidden in part");
         }
 
+        // The shadow of a strip lies within edges that are shorter than a wavelength: their ends are seen. Both tracers find
+        // its borders to 1/512 of a wavelength.
+        [TestCase(false)]
+        [TestCase(true)]
+        public void EdgesHiddenInTheMiddle_RadiateOverBothParts(bool isBistatic)
+        {
+            var plate = CrossSectionTargets.Plate(0.029, 0.029);
+            var strip = SameSurface.Moved(CrossSectionTargets.Plate(0.018, 0.2), Shift(new double3(0.02, 0, 0)));
+            ScatteringMatrix Of(Func<CrossSectionPose, ScatteringMatrix[,]> fringes, params TriangleMesh[] meshes)
+            {
+                var pose = Pose(new RadarScene(Array.ConvertAll(meshes,
+                    mesh => new MeshInstance { Mesh = mesh, ToWorld = Affine.Identity })), PublishedRow.Aspect(75, 4));
+                if (isBistatic)
+                    pose.Receivers = new[] { PublishedRow.Aspect(100, -5) };
+                return fringes(pose)[0, 0];
+            }
+            var expected = Of(ReferenceFringes, plate, strip);
+            var unhidden = Of(ReferenceFringes, plate) + Of(ReferenceFringes, strip);
+            double largest = Largest(expected);
+            Assert.That(Difference(Of(Fringes, plate, strip), expected), Is.LessThan(0.01 * largest));
+            Assert.That(Difference(unhidden, expected), Is.GreaterThan(0.05 * largest), "edges are hidden in part");
+        }
+
         [Test]
         public void MovedBody_ChangesThePhaseAlone()
         {

@@ -12,8 +12,11 @@ namespace Glint.Core
         /// <summary>Turn against the radar's axes, degrees: rows along an edge would take it in or out as a whole.</summary>
         public const double TurnDegrees = 27.3;
 
-        /// <summary>Wavelengths that a piece of an edge is long: what hides less of it is not found.</summary>
-        public const double EdgeWavelengths = 1;
+        /// <summary>
+        /// Wavelengths that a piece of an edge is long: what hides less of it is found at its ends alone. A mast of a wavelength
+        /// may hide the middle of a longer piece.
+        /// </summary>
+        public const double EdgeWavelengths = 0.5;
 
         // Side of a cell of a camera's picture, most of which returns nothing: cells are divided where corners of
         // patches are, and where paths differ.
