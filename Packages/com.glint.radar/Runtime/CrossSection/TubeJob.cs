@@ -6,7 +6,7 @@ namespace Glint
     /// <summary>A pose that is traced, beside others, in attempts with ever smaller errors of cells.</summary>
     sealed class TubeJob
     {
-        readonly SliceForecast _forecast = new SliceForecast();
+        readonly SliceForecast _slices = new SliceForecast();
         long _raysBefore;
 
         public TubeJob(CrossSectionPose pose, TubeGrid grid)
@@ -46,6 +46,8 @@ namespace Glint
         /// <summary>Of the last attempt.</summary>
         public CrossSectionResult Result { get; private set; }
 
+        public AttemptForecast Forecast { get; } = new AttemptForecast();
+
         /// <summary>Whether no attempt follows.</summary>
         public bool IsDone { get; set; }
 
@@ -55,7 +57,7 @@ namespace Glint
             CellError = cellError;
             Sums = new TubeSums(Pose, Grid);
             Next = 0;
-            _forecast.Begin(cellError);
+            _slices.Begin(cellError);
         }
 
         /// <summary>Tells the kernels how finely cells are divided and borders found.</summary>
@@ -70,7 +72,7 @@ namespace Glint
         /// <param name="max">Cells.</param>
         public int SliceOf(long atLeast, long max, ref double raysLeft)
         {
-            long count = _forecast.CellsFrom(Next, Math.Min(Left, max), ref raysLeft);
+            long count = _slices.CellsFrom(Next, Math.Min(Left, max), ref raysLeft);
             return RowsOf(Math.Max(Math.Min(Left, atLeast), count));
         }
 
@@ -91,7 +93,7 @@ namespace Glint
         /// <summary>Ends a slice.</summary>
         public void Took(int count, long rays)
         {
-            _forecast.Took(Next, count, rays);
+            _slices.Took(Next, count, rays);
             Next += count;
         }
 
