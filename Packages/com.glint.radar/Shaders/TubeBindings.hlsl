@@ -20,14 +20,14 @@ static const uint TUBE_BOUNCES = 18;       // their bounces,
 static const uint TUBE_RECEIVED = 20;      // those received,
 static const uint TUBE_LENGTHS = 22;       // and their lengths to the last hit less _OriginDepth, in units
 static const float TUBE_LENGTH_UNITS = 256.0;   // a metre
-static const uint MAX_POSES = 64;          // of a dispatch
+static const uint MAX_POSES = 128;         // of a dispatch
 static const uint POSE_COUNTS = 24;        // counts of each pose:
 static const uint POSE_COUNT_WORDS = 4;
 static const uint POSE_TUBES = 0;          // tubes,
 static const uint POSE_RAYS = 1;           // rays traced in cells and at edges,
 static const uint POSE_BORDER_RAYS = 2;    // rays traced at borders
 static const uint POSE_COPIES = 16;        // of these counts: additions to one word wait for each other
-static const uint TUBE_SUMS = 4120;
+static const uint TUBE_SUMS = 8216;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
 static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
@@ -79,12 +79,10 @@ struct Cell
     float Bent;           // and the largest error of a piece by bent phases, as a fraction of its area
     uint2 Crossings;      // of the border with two sides: see BorderOf
     uint Pose;            // of this dispatch
-    uint Number;          // in its round; NO_CELL: its corners are not traced
-    uint Whole;           // number in the round before of the cell that it is a part of, or NO_CELL
+    uint Number;          // in its round
+    uint Whole;           // number in the round before of the cell that it is a part of
     uint IsDeep;          // 1: a ray through a corner of it, or of the cell that it is a part of, bounces more than once
 };
-
-static const uint NO_CELL = 0xffffffff;
 
 // Input: what the tracer does not need.
 StructuredBuffer<uint2> _Facets;           // per triangle: patch, first row in _NormalFields or FLAT

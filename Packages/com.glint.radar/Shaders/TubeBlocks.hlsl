@@ -51,7 +51,6 @@ Cell LoadBaseCell(uint index)
     cell.Position = SliceStart() + uint2(inSlice % slice.z, inSlice / slice.z);
     cell.Pose = s_pose;
     cell.Number = index;
-    cell.Whole = NO_CELL;
     return cell;
 }
 
@@ -114,14 +113,6 @@ bool IsEmpty(Cell cell)
     if (_Round > 0)
         return false;
     return !IsCovered(cell.Position);
-}
-
-// Whether the cell is to be traced.
-bool IsToTrace(Cell cell)
-{
-    if (IsEmpty(cell))
-        return false;
-    return !HasVertex(cell);
 }
 
 #endif

@@ -21,7 +21,6 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     cell.Bent = MISS;
     if (HasVertex(cell))
     {
-        cell.Number = NO_CELL;
         AddBorder(cell);
         return;
     }

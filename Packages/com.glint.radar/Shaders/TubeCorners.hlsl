@@ -7,30 +7,17 @@
 // Follows the rays through the corners of cells, and notes what they meet at each bounce. One thread a corner. Of a cell
 // that was divided the corners are known; the middles of its sides and its centre are new.
 
-// Whether a base cell at a corner of the grid is to be traced.
+// Whether a triangle may be seen in a base cell at a corner of the grid.
 bool HasBaseCell(uint2 corner)
 {
-    bool isTraced = false;
-    [loop]
-    for (uint i = 0; i < 4 && !isTraced; i++)
+    bool isCovered = false;
+    for (uint i = 0; i < 4; i++)
     {
-        Cell cell = (Cell)0;
-        cell.Position = corner - uint2(i & 1, i >> 1);
-        if (all(cell.Position < _Poses[s_pose].Cells))
-            isTraced = IsToTrace(cell);
+        uint2 cell = corner - uint2(i & 1, i >> 1);
+        if (all(cell < _Poses[s_pose].Cells))
+            isCovered = isCovered || IsCovered(cell);
     }
-    return isTraced;
-}
-
-// Whether one of the four parts of a cell is to be traced that has this corner.
-bool HasPart(uint block, uint2 corner)
-{
-    bool isTraced = false;
-    [loop]
-    for (uint i = 0; i < BLOCK_CELLS && !isTraced; i++)
-        if (all(corner - uint2(i & 1, i >> 1) < 2))
-            isTraced = IsToTrace(LoadCell(BLOCK_CELLS * block + i));
-    return isTraced;
+    return isCovered;
 }
 
 // A corner of cells.
@@ -39,7 +26,7 @@ struct CornerPosition
     float2 OnGrid;         // base cells
     uint Number;
     uint Known;            // its number in the round before; NO_CORNER: none
-    bool IsTraced;         // some cell needs it
+    bool IsNeeded;
     bool IsCounted;        // dispatches that share a base corner count it once
 };
 
@@ -57,7 +44,7 @@ CornerPosition PositionOf(uint index)
         uint across = SliceSize().x + 1, number = index - _Poses[s_pose].FirstCorner;
         uint2 inSlice = uint2(number % across, number / across), corner = SliceStart() + inSlice;
         position.OnGrid = corner;
-        position.IsTraced = HasBaseCell(corner);
+        position.IsNeeded = HasBaseCell(corner);
         position.IsCounted = all(inSlice > 0 || corner == 0);
         return position;
     }
@@ -72,9 +59,9 @@ CornerPosition PositionOf(uint index)
     Cell cell = LoadCell(BLOCK_CELLS * block);
     position.Number = BLOCK_CORNERS * block + at.x + 3 * at.y;
     position.OnGrid = SideOfCell(cell) * (cell.Position + at);
-    if (!isNew && cell.Whole != NO_CELL)
+    if (!isNew)
         position.Known = CornerOfCell(cell.Whole, inWhole, _Round - 1);
-    position.IsTraced = position.Known != NO_CORNER || HasPart(block, at);
+    position.IsNeeded = true;
     return position;
 }
 
@@ -93,7 +80,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (index >= CornerCount())
         return;
     CornerPosition position = PositionOf(index);
-    if (!position.IsTraced)
+    if (!position.IsNeeded)
         return;
     uint first = position.Number * _MaxBounces;
     if (position.Known != NO_CORNER)

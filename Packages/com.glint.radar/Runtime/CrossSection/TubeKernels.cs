@@ -14,10 +14,10 @@ namespace Glint
         public const int MaxReceivers = 16;
 
         /// <summary>Words of the output before the sums, and of each sum: TUBE_SUMS, TUBE_SUM_WORDS.</summary>
-        public const int FirstSum = 4120, SumWords = 32;
+        public const int FirstSum = 8216, SumWords = 32;
 
         /// <summary>Poses of a dispatch at most: MAX_POSES.</summary>
-        public const int MaxPoses = 64;
+        public const int MaxPoses = 128;
 
         /// <summary>Words of the sums of a part: PART_WORDS.</summary>
         public const int PartWords = 16;

@@ -43,7 +43,7 @@ namespace Glint
         /// <summary>
         /// Poses that a GPU traces together at most: as many as fill its lists. A single one fills a software device.
         /// </summary>
-        public static int MaxPoses => SoftwareDevice.IsInUse ? 1 : Math.Min(4 * (3 + ListFactor), TubeKernels.MaxPoses);
+        public static int MaxPoses => SoftwareDevice.IsInUse ? 1 : Math.Min(8 * (1 + ListFactor), TubeKernels.MaxPoses);
 
         static int ListFactor => SoftwareDevice.IsInUse ? 1
             : math.clamp(SystemInfo.graphicsMemorySize / MebibytesAList, 1, MaxLists);
