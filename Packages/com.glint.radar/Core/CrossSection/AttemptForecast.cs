@@ -12,9 +12,6 @@ namespace Glint.Core
         // The power is known from errors of cells that differ by this factor: single errors scatter.
         const double KnownFrom = 32;
 
-        // A forecast that misses the least error of a cell by less than this is not believed.
-        const double Margin = 4;
-
         double _firstExcess, _firstCellError;
 
         /// <summary>Adds an attempt; false if none with larger errors than the least would meet the tolerance.</summary>
@@ -28,7 +25,7 @@ namespace Glint.Core
             if (_firstCellError < KnownFrom * cellError)
                 return true;
             double power = Math.Log(_firstExcess / excess) / Math.Log(_firstCellError / cellError);
-            return power > 0 && cellError * Math.Pow(excess, -1 / power) >= leastCellError / Margin;
+            return power > 0 && cellError * Math.Pow(excess, -1 / power) >= leastCellError;
         }
     }
 }
