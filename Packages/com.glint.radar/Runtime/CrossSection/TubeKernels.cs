@@ -22,7 +22,8 @@ namespace Glint
         /// <summary>Words of the sums of a part: PART_WORDS.</summary>
         public const int PartWords = 16;
 
-        const int Group = 64;              // GLINT_GROUP
+        // No more than the threads of a group: GLINT_GROUP.
+        const int MaxFrequenciesAGroup = 64;
 
         // 64 MB.
         const int MaxSideLinks = 1 << 22;
@@ -102,7 +103,7 @@ namespace Glint
             _shader.SetInt(TubeIDs._IsMoving, pose.IsMoving ? 1 : 0);
             _shader.SetInt(TubeIDs._FrequencyCount, pose.Samples);
             int together = 1;
-            while (together < pose.Samples && together < Group)
+            while (together < pose.Samples && together < MaxFrequenciesAGroup)
                 together *= 2;
             _shader.SetInt(TubeIDs._FrequenciesAGroup, together);
             _shader.SetInt(TubeIDs._FrequencyGroups, (pose.Samples + together - 1) / together);
