@@ -14,18 +14,18 @@ namespace Glint.Core
 
         double _firstExcess, _firstCellError;
 
-        /// <summary>Adds an attempt; false if none with larger errors than the least would meet the tolerance.</summary>
+        /// <summary>Adds an attempt; false if none with larger errors of cells than the minimum would meet the tolerance.</summary>
         /// <param name="excess">Its error, as a multiple of the one allowed.</param>
         /// <param name="cellError">Error that its cells might have.</param>
-        /// <param name="leastCellError">Of later attempts.</param>
-        public bool CanBeMet(double excess, double cellError, double leastCellError)
+        /// <param name="minCellError">Of later attempts.</param>
+        public bool CanBeMet(double excess, double cellError, double minCellError)
         {
             if (_firstCellError == 0)
                 (_firstExcess, _firstCellError) = (excess, cellError);
             if (_firstCellError < KnownFrom * cellError)
                 return true;
             double power = Math.Log(_firstExcess / excess) / Math.Log(_firstCellError / cellError);
-            return power > 0 && cellError * Math.Pow(excess, -1 / power) >= leastCellError;
+            return power > 0 && cellError * Math.Pow(excess, -1 / power) >= minCellError;
         }
     }
 }
