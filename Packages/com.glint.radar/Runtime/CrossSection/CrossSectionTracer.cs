@@ -149,8 +149,7 @@ namespace Glint
             double excess = Excess(result, job.Pose.ToleranceDb, floor);
             result.IsMet = excess <= 1;
             double atLeast = InBaseCells(job, MinCellError);
-            job.IsDone = result.IsMet || CellError > 0 || job.CellError <= atLeast
-                || !job.Forecast.CanBeMet(excess, job.CellError, atLeast);
+            job.IsDone = result.IsMet || CellError > 0 || job.CellError <= atLeast;
             if (job.IsDone)
                 return;
             // Errors fall with the power 0.6 of that of a cell.

@@ -46,8 +46,6 @@ namespace Glint
         /// <summary>Of the last attempt.</summary>
         public CrossSectionResult Result { get; private set; }
 
-        public AttemptForecast Forecast { get; } = new AttemptForecast();
-
         /// <summary>Whether no attempt follows.</summary>
         public bool IsDone { get; set; }
 
