@@ -17,9 +17,6 @@ namespace Glint.Reference
         // the illumination meets that of reception, and their difference does not. Radians.
         const double AngleOffset = 1e-5;
 
-        // Wavelengths that a piece is long.
-        const double PieceLength = 0.5;
-
         // A piece that is seen in part is halved so many times.
         const int MaxHalvings = 8;
 
@@ -48,7 +45,7 @@ namespace Glint.Reference
         /// <summary>Adds the edges to the sums of each receiver and frequency.</summary>
         public void Add(ScatteringMatrix[,] sums)
         {
-            double longest = PieceLength * Signal.SpeedOfLight / _pose.Frequencies[_pose.Frequencies.Length - 1];
+            double longest = TubeGrid.EdgeWavelengths * Signal.SpeedOfLight / _pose.Frequencies[_pose.Frequencies.Length - 1];
             foreach (var wedge in _wedges)
             {
                 // Rays bounce on the inside of a corner; its edge adds nothing.

@@ -46,20 +46,20 @@ void Divide(Cell cell, uint4 corners, uint first, bool isReceived)
         float error = CRUDE_ERROR * 0.25 * side * side;
         AddUnsigned(TUBE_SUMS + SUM_ERROR, (uint)(_UnitsPerSquareMetre * error * error));
     }
-    uint part;
-    InterlockedAdd(_Sums[TUBE_NEXT_CELLS], 4, part);
-    for (uint corner = 0; corner < 4; corner++)
-        if (part + corner < _ListCapacity.y)
-        {
-            Cell quarter = (Cell)0;
-            quarter.Position = 2 * cell.Position + uint2(corner == 1 || corner == 2 ? 1 : 0, corner >> 1);
-            quarter.Level = cell.Level + 1;
-            // Around it: this corner of the cell, the middles of the two sides there, and the centre.
-            uint4 around = uint4(corners[corner], first + corner, first + 4, first + ((corner + 3) & 3));
-            quarter.Signatures = uint4(around[(0 - corner) & 3], around[(1 - corner) & 3], around[(2 - corner) & 3],
-                around[(3 - corner) & 3]);
-            _NextCells[part + corner] = quarter;
-        }
+    uint part = AddToList(TUBE_NEXT_CELLS, false, BLOCK_CELLS, _ListCapacity.y);
+    if (part == _ListCapacity.y)
+        return;
+    for (uint corner = 0; corner < BLOCK_CELLS; corner++)
+    {
+        Cell quarter = (Cell)0;
+        quarter.Position = 2 * cell.Position + uint2(corner == 1 || corner == 2 ? 1 : 0, corner >> 1);
+        quarter.Level = cell.Level + 1;
+        // Around it: this corner of the cell, the middles of the two sides there, and the centre.
+        uint4 around = uint4(corners[corner], first + corner, first + 4, first + ((corner + 3) & 3));
+        quarter.Signatures = uint4(around[(0 - corner) & 3], around[(1 - corner) & 3], around[(2 - corner) & 3],
+            around[(3 - corner) & 3]);
+        _NextCells[part + corner] = quarter;
+    }
 }
 
 // The mean of what bends the phase over a piece, m.
@@ -84,7 +84,7 @@ float MeanBend(Piece piece, float2 position, float side, float3 bend)
 void AmplitudeBorders(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (index >= min(_Sums[TUBE_BORDERS], _ListCapacity.z))
+    if (index >= CountOfList(TUBE_BORDERS, _ListCapacity.z))
         return;
     Cell cell = LoadBorder(index);
     uint4 corners = _Borders[index].Signatures;

@@ -23,41 +23,43 @@ float2 CentreOfCell(Cell cell)
     return (float2(cell.Position) + 0.5) * SideOfCell(cell);
 }
 
+// Of a cell: the error that it may have, p.C times area in m2, or a phasor's times area in base cells; the level at which it is
+// not divided; the bisections of the sides of a base cell towards a border, at most.
 #ifdef GLINT_AMPLITUDE
-float _CellError;                          // of phasors times area that a cell may have, base cells
-uint _MaxLevel;                            // cells at it are not divided
-uint _MaxBisections;                       // of the sides of a base cell towards a border
-#endif
+float _CellError;
+uint _MaxLevel;
+uint _MaxBisections;
 
-// Error of p.C times area that a cell may have, m2.
 float CellError()
 {
-#ifdef GLINT_AMPLITUDE
     return _CellError;
-#else
-    return _Poses[s_pose].CellError;
-#endif
 }
 
-// Level at which cells are not divided.
 uint MaxLevel()
 {
-#ifdef GLINT_AMPLITUDE
     return _MaxLevel;
-#else
-    return _Poses[s_pose].MaxLevel;
-#endif
 }
 
-// Bisections of the sides of a base cell towards a border, at most.
 uint MaxBisections()
 {
-#ifdef GLINT_AMPLITUDE
     return _MaxBisections;
-#else
-    return _Poses[s_pose].MaxBisections;
-#endif
 }
+#else
+float CellError()
+{
+    return _Poses[s_pose].CellError;
+}
+
+uint MaxLevel()
+{
+    return _Poses[s_pose].MaxLevel;
+}
+
+uint MaxBisections()
+{
+    return _Poses[s_pose].MaxBisections;
+}
+#endif
 
 // Error of a cell that is summed as a whole although its corners do not see the same, as a fraction of its area: of a straight
 // border anywhere in it the root mean square is 0.22 to 0.29 by its direction.

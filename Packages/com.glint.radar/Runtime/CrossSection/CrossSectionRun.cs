@@ -57,7 +57,8 @@ namespace Glint
             Count = (shard?.End(rows) ?? rows) - _first;
             _groups = new FrequencyGroups(setup.Plan.Frequencies, setup.UsedMaterials(), setup.MaxCoefficientError);
             _looks = setup.Looks;
-            _turningScene = setup.Scene.MovingBy(LookGroups.TurnAbout(setup.PhaseCentre));
+            if (_looks.Looks > 1)
+                _turningScene = setup.Scene.MovingBy(LookGroups.TurnAbout(setup.PhaseCentre));
             _receiversOfTrace = double.IsPositiveInfinity(setup.Range) ? TubeKernels.MaxReceivers : 1;
             if (folder != null)
             {

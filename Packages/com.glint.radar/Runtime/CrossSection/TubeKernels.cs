@@ -41,25 +41,23 @@ namespace Glint
         public const int CoverSide = 8;
 
         readonly ComputeShader _shader;
+        readonly TubeRounds.RayKernels _rays;
         readonly TubeRounds _rounds;
         readonly DeviceBuffer<TubePose> _poses = new DeviceBuffer<TubePose>("poses");
         readonly DeviceBuffer<float4> _receivers = new DeviceBuffer<float4>("receivers");
         TubePose[] _slices;
-        readonly int _clearMarks, _mark, _outlines, _cover, _corners, _cells, _raysBeside, _centres, _fringes, _points, _parts;
+        readonly int _clearMarks, _mark, _outlines, _cover, _cells, _fringes, _points, _parts;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
         {
             _shader = shader;
-            var rays = new TubeRounds.RayKernels(shader);
-            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders", rays);
+            _rays = new TubeRounds.RayKernels(shader);
+            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders", _rays);
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
             _outlines = shader.FindKernel("MarkOutlines");
             _cover = shader.FindKernel("MarkCover");
-            _corners = rays.Corners;
-            _raysBeside = rays.Outlines;
-            _centres = rays.Centres;
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
             _points = shader.FindKernel("TubePoints");
@@ -203,11 +201,11 @@ namespace Glint
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
             foreach (int kernel in new[] { _mark, _outlines })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenLinks, links.Buffer);
-            foreach (int kernel in new[] { _outlines, _cells, _raysBeside })
+            foreach (int kernel in new[] { _outlines, _cells, _rays.Outlines })
                 _shader.SetBuffer(kernel, TubeIDs._Sides, surfaces.Sides.Buffer);
-            foreach (int kernel in new[] { _corners, _cells, _raysBeside, _centres, _points })
+            foreach (int kernel in new[] { _rays.Corners, _cells, _rays.Outlines, _rays.Centres, _points })
                 _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
-            foreach (int kernel in new[] { _corners, _cells, _raysBeside, _centres })
+            foreach (int kernel in new[] { _rays.Corners, _cells, _rays.Outlines, _rays.Centres })
                 _shader.SetBuffer(kernel, TubeIDs._Links, links.Buffer);
             _shader.DispatchThreads(_clearMarks, (long)poses * markWords);
             _shader.DispatchThreads(_mark, (long)poses * surfaces.VertexCount);

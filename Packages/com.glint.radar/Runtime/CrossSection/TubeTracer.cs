@@ -32,7 +32,6 @@ namespace Glint
         readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
         readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of patches");
         readonly DispatchPacer _pacer = new DispatchPacer();
-        readonly int _listFactor = ListFactor;
         long _maxCells;                    // of a slice
         uint[] _read;
 
@@ -52,10 +51,10 @@ namespace Glint
         public int CellsADispatch { get; set; }
 
         // Tubes, border cells and rays beside outlines.
-        int Capacity => _listFactor * ListElements;
+        int Capacity => ListFactor * ListElements;
 
         // Times their bounces.
-        int Corners => (int)Math.Min(_listFactor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
+        int Corners => (int)Math.Min(ListFactor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
 
         /// <summary>Whether the marks of poses with a grid fit.</summary>
         public static bool FitsTogether(int poses, TubeGrid largest) =>
@@ -142,7 +141,7 @@ namespace Glint
         (long First, int Count)[] SlicesOf(TubeJob[] jobs, long max)
         {
             var slices = new (long First, int Count)[jobs.Length];
-            double rays = (double)_listFactor * RaysAList;
+            double rays = (double)ListFactor * RaysAList;
             int sum = 0;
             long corners = CornerCapacity(jobs[0].Pose);
             for (int i = 0; i < jobs.Length; i++)
