@@ -40,8 +40,10 @@ sealed class Product
             return Batch.Execute(line, null);
         LogSink.Writer = (type, message) => _terminal.Report(Labelled(type, message));
         using var cancellation = new Cancellation(_terminal);
-        Project.Open(ProjectFolder.For(line.Input));
         Engine.DeviceSelector = line.Get(Options.Device);
+        if (line.Command.Options.Contains(Options.Device))
+            GraphicsDevice.OpenAhead();
+        Project.Open(ProjectFolder.For(line.Input));
         int Work(IProgressSink progress) =>
             line.Command == Commands.Ppi ? TurnScreen(line, progress) : Batch.Execute(line, progress);
         int exitCode = _terminal.Live == null

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Threading.Tasks;
 using Glint.Vulkan;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -10,6 +11,7 @@ public static class GraphicsDevice
 {
     static readonly ConcurrentQueue<(string Kind, GpuBuffer Buffer)> _leaked = new();
     static VulkanDevice _device;
+    static Task<VulkanDevice> _opening; // by OpenAhead, until the first use
     static string _selector;
 
     /// <summary>
@@ -37,6 +39,8 @@ public static class GraphicsDevice
         {
             if (IsNull)
                 throw new UnityException("there is no graphics device");
+            if (_device == null)
+                TakeOpened();
             if (_device != null && _selector != Engine.DeviceSelector)
                 Close();
             if (_device == null)
@@ -48,12 +52,38 @@ public static class GraphicsDevice
         }
     }
 
+    /// <summary>
+    /// Opens the device on another thread, since a driver takes tenths of a second. The first use waits for it, and
+    /// has its exception.
+    /// </summary>
+    public static void OpenAhead()
+    {
+        if (IsNull || _device != null || _opening != null)
+            return;
+        string selector = _selector = Engine.DeviceSelector;
+        _opening = Task.Run(() => VulkanDevice.Open(selector));
+    }
+
     /// <summary>Closes the device and with it all buffers and programs.</summary>
     public static void Close()
     {
         _leaked.Clear();
+        if (_opening is { } unused)
+        {
+            _opening = null;
+            // The exception of a device that nothing used is nobody's.
+            _device = unused.ContinueWith(open => open.IsCompletedSuccessfully ? open.Result : null,
+                TaskScheduler.Default).Result;
+        }
         _device?.Dispose();
         _device = null;
+    }
+
+    static void TakeOpened()
+    {
+        var opening = _opening;
+        _opening = null;
+        _device = opening?.GetAwaiter().GetResult();
     }
 
     /// <summary>
