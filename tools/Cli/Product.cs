@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
@@ -41,7 +42,7 @@ sealed class Product
         LogSink.Writer = (type, message) => _terminal.Report(Labelled(type, message));
         using var cancellation = new Cancellation(_terminal);
         Engine.DeviceSelector = line.Get(Options.Device);
-        if (line.Command.Options.Contains(Options.Device))
+        if (line.Command.Options.Any(option => option == Options.Device))
             GraphicsDevice.OpenAhead();
         Project.Open(ProjectFolder.For(line.Input));
         int Work(IProgressSink progress) =>
