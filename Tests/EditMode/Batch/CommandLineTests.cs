@@ -119,8 +119,8 @@ namespace Glint.Tests
         [Test]
         public void Sea_WithSwell_HasIt()
         {
-            var settings = SeaOptions.Read(Parse(Commands.Sea, "--out", "Assets/Sea", "--tile", "512", "--swell-height", "2",
-                "--swell-period", "9", "--swell-direction", "-30")).Settings;
+            var settings = SeaOptions.Read(Parse(Commands.Sea, "--out", "Assets/Sea", "--tile", "512",
+                "--swell-height", "2", "--swell-period", "9", "--swell-direction", "-30")).Settings;
             Assert.That((settings.SwellHeight, settings.SwellPeriod, settings.SwellDirectionDegrees),
                 Is.EqualTo((2.0, 9.0, -30.0)));
         }

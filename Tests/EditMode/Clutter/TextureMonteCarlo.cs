@@ -57,7 +57,8 @@ namespace Glint.Tests
                     for (int t = 2 * cell; t < 2 * cell + 2; t++)
                     {
                         var sigma = _clutter.BreakingFacets[t] ? new Sigma0(breaker, breaker, 0)
-                            : 1 / _normals[t].y * _table.Read(_normals[t], radar, _clutter.Wind, _clutter.LogWinds[cell]);
+                            : 1 / _normals[t].y
+                                * _table.Read(_normals[t], radar, _clutter.Wind, _clutter.LogWinds[cell]);
                         cellsHH[row * across + column] += sigma.HH;
                         cellsVV[row * across + column] += sigma.VV;
                     }

@@ -45,8 +45,8 @@ namespace Glint.Tests
                 Is.EqualTo(2.5).Within(1e-6));
         }
 
-        // Weighted by variance, over 30 draws of some ten waves: the mean frequency is that of the peak, and its standard
-        // deviation 0.11 of it. Directions deviate by 9 degrees, that of cos^150 of half the angle.
+        // Weighted by variance, over 30 draws of some ten waves: the mean frequency is that of the peak, and its
+        // standard deviation 0.11 of it. Directions deviate by 9 degrees, that of cos^150 of half the angle.
         [Test]
         public void Swell_TravelsInItsBandAndDirection()
         {
@@ -61,7 +61,8 @@ namespace Glint.Tests
             Assert.That(Mean(_ => 1), Is.GreaterThan(0.94));
             Assert.That(Mean(wave => wave.Frequency) * Period / Mean(_ => 1), Is.EqualTo(1).Within(0.03));
             Assert.That(Mean(wave => wave.Angle), Is.Zero.Within(2));
-            Assert.That(Math.Sqrt(Mean(wave => math.square(wave.Frequency * Period - 1))), Is.EqualTo(0.11).Within(0.03));
+            Assert.That(Math.Sqrt(Mean(wave => math.square(wave.Frequency * Period - 1))),
+                Is.EqualTo(0.11).Within(0.03));
             Assert.That(Math.Sqrt(Mean(wave => wave.Angle * wave.Angle)), Is.EqualTo(9.3).Within(2.5));
         }
 
@@ -86,7 +87,8 @@ namespace Glint.Tests
         {
             var plain = Settings(0);
             (plain.SwellPeriod, plain.SwellDirectionDegrees) = (0, 0);
-            Assert.That(new SeaSurface(Settings(0)).Mesh(3).Vertices, Is.EqualTo(new SeaSurface(plain).Mesh(3).Vertices));
+            Assert.That(new SeaSurface(Settings(0)).Mesh(3).Vertices,
+                Is.EqualTo(new SeaSurface(plain).Mesh(3).Vertices));
         }
 
         // The finer tile has the shorter waves of the wind alone.

@@ -184,7 +184,8 @@ namespace Glint.Core
             if (SwellHeight == 0)
                 return;
             Check(subject, "swell period", SwellPeriod, SwellPeriods, " s", "10 is usual");
-            Check(subject, "swell direction", SwellDirectionDegrees, Directions, " deg", "give it as a rotation about Y");
+            Check(subject, "swell direction", SwellDirectionDegrees, Directions, " deg",
+                "give it as a rotation about Y");
             double length = Swell.Length(SwellPeriod), shortest = TileSize / (GridSize / 2 - 1);
             shortest = ShortestWave > shortest ? ShortestWave : shortest;
             if (!(length >= shortest && length <= TileSize))

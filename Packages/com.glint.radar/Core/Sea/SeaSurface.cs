@@ -7,7 +7,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// A sea's tile at any time: waves of random amplitude and phase (Tessendorf, Simulating Ocean Water, 2001),
-    /// travelling with the wind, or with the swell, at the speed of deep-water waves. No wave meets its opposite, so the
+    /// travelling with the wind or the swell at the speed of deep-water waves. No wave meets its opposite, so the
     /// variance over the tile is constant in time. It differs between seeds, more so if the tile holds few waves.
     /// </summary>
     public sealed class SeaSurface
@@ -53,8 +53,8 @@ namespace Glint.Core
 
         /// <summary>
         /// Hs of the spectrum, metres, the mean over seeds: the requested Hs times the height factor. If none is
-        /// requested, that of the waves of the wind that the tile holds. Swell adds the square of its height, times that
-        /// of the height factor. A <see cref="Finer"/> tile has the height of its own waves.
+        /// requested, that of the waves of the wind that the tile holds. Swell adds the square of its height times the
+        /// height factor. A <see cref="Finer"/> tile has the height of its own waves.
         /// </summary>
         public double SignificantWaveHeight { get; }
 
@@ -347,8 +347,8 @@ namespace Glint.Core
             return sum;
         }
 
-        // Of a wave and its opposite the tile holds one, so that the variance stays constant in time: the higher one, with
-        // the variance of both.
+        // Of a wave and its opposite the tile holds one, so that the variance stays constant in time: the higher one,
+        // with the variance of both.
         void AddSwell(List<SeaMode> modes, List<double> variances)
         {
             double number = 2 * Math.PI / _settings.TileSize;

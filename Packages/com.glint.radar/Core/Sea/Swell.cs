@@ -6,13 +6,14 @@ namespace Glint.Core
 {
     /// <summary>
     /// The swell of a sea: waves that come from a distant storm, in a narrow band of frequencies and directions. The
-    /// variance is Gaussian over frequency and cos^2s of half the angle over directions. Sources: Documentation~/sea.md.
+    /// variance is Gaussian over frequency and cos^2s of half the angle over directions. Sources:
+    /// Documentation~/sea.md.
     /// </summary>
     readonly struct Swell
     {
         /// <summary>
-        /// Standard deviation of the frequency over that of the peak: as peaked (Goda's Qp) as JONSWAP's spectrum with an
-        /// enhancement of 8 to 9, which Goda (1983) found for swell that has travelled far.
+        /// Standard deviation of the frequency over that of the peak: as peaked (Goda's Qp) as JONSWAP's spectrum with
+        /// an enhancement of 8 to 9, which Goda (1983) found for swell that has travelled far.
         /// </summary>
         public const double RelativeWidth = 0.11;
 
@@ -20,7 +21,7 @@ namespace Glint.Core
         public const double Spreading = 75;
 
         // Of a wave's density over that of the peak: lower ones are left out.
-        const double LeastDensity = 1e-9;
+        const double MinDensity = 1e-9;
 
         readonly double _number, _peak, _x, _z, _variance;
 
@@ -38,7 +39,8 @@ namespace Glint.Core
         public static double Length(double period) => SeaSpectrum.Gravity * period * period / (2 * Math.PI);
 
         /// <summary>
-        /// Waves of a grid that travel with the swell, and the variance of each, m2: together that of the swell's height.
+        /// Waves of a grid that travel with the swell, and the variance of each, m2. Together they have the swell's
+        /// height.
         /// </summary>
         /// <param name="reach">Largest column and row.</param>
         public IReadOnlyList<(int Column, int Row, double Variance)> Variances(int reach)
@@ -48,7 +50,7 @@ namespace Glint.Core
                 for (int column = -reach; column <= reach; column++)
                 {
                     double density = Density(column, row);
-                    if (density > LeastDensity)
+                    if (density > MinDensity)
                         waves.Add((column, row, density));
                 }
             double scale = _variance / waves.Sum(wave => wave.Density);
