@@ -116,6 +116,15 @@ namespace Glint.Tests
         [Test]
         public void Sea_WithoutOptions_IsNoneOfItsOwn() => Assert.That(SeaOptions.Read(Parse(Commands.Sea)), Is.Null);
 
+        [Test]
+        public void Sea_WithSwell_HasIt()
+        {
+            var settings = SeaOptions.Read(Parse(Commands.Sea, "--out", "Assets/Sea", "--tile", "512",
+                "--swell-height", "2", "--swell-period", "9", "--swell-direction", "-30")).Settings;
+            Assert.That((settings.SwellHeight, settings.SwellPeriod, settings.SwellDirectionDegrees),
+                Is.EqualTo((2.0, 9.0, -30.0)));
+        }
+
         [TestCase("--out is missing", "--wind", "5")]
         [TestCase("--sea-state: not with --wave-height: both set", "--out", "x",
             "--sea-state", "4", "--wave-height", "2")]
@@ -125,6 +134,9 @@ namespace Glint.Tests
         [TestCase("significant wave height 0 m", "--out", "x", "--spectrum", "phillips")]
         [TestCase("fetch 0 m must be from 100 to 1e7", "--out", "x", "--spectrum", "jonswap")]
         [TestCase("wind speed 25 m/s must be from 3 to 20", "--out", "x", "--wind", "25")]
+        [TestCase("--swell-height -1: must be from 0 to 100", "--out", "x", "--swell-height", "-1")]
+        [TestCase("--swell-period 40: must be from 3 to 30", "--out", "x", "--swell-period", "40")]
+        [TestCase("must be that of waves from", "--out", "x", "--swell-height", "1")]
         [TestCase("--wave-height NaN: must be a number", "--out", "x", "--wave-height", "NaN")]
         [TestCase("--tile 0: must be from 1 to 8192", "--out", "x", "--tile", "0")]
         [TestCase("--sea-state 9: must be from 1 to 8", "--out", "x", "--sea-state", "9")]

@@ -169,6 +169,22 @@ namespace Glint.Tests
             Assert.That(later.BreakingFacets.Count(it => it), Is.EqualTo(clutter.BreakingFacets.Count(it => it)));
         }
 
+        // Azimuth 0 is south of the sea. The tile's wind, to 30 degrees, blows along Z of the world: its frame is turned.
+        [TestCase(30, 0, 180)]
+        [TestCase(30, 180, 0)]
+        [TestCase(75, 180, 45)]
+        [TestCase(75, 0, 135)]
+        [TestCase(120, -90, 0)]
+        public void SwellAngle_IsBetweenSwellAndRadar(double swell, double azimuth, double expected)
+        {
+            var settings = Waves(7, 128, 64);
+            (settings.WindDirectionDegrees, settings.SwellHeight, settings.SwellPeriod, settings.SwellDirectionDegrees) =
+                (30, 1, 7, swell);
+            Assert.That(Of(settings).SwellAngleAt(azimuth), Is.EqualTo(expected).Within(1e-6));
+            settings.SwellHeight = 0;
+            Assert.That(Of(settings).SwellAngleAt(azimuth), Is.Null);
+        }
+
         [TestCase(0)]
         [TestCase(-1)]
         [TestCase(1e8)]

@@ -121,6 +121,33 @@ namespace Glint.Tests
         public void Validate_FetchOutsideElfouhailysModel_IsRefused(double fetch) => AssertRefused(
             (ref SeaSettings s) => (s.WindSpeed, s.Fetch) = (10, fetch), "fetch", "from 592 to 1e7", "0, which is");
 
+        [TestCase(-1)]
+        [TestCase(101)]
+        [TestCase(double.NaN)]
+        public void Validate_SwellOfNoHeight_IsRefused(double height) =>
+            AssertRefused((ref SeaSettings s) => s.SwellHeight = height, "swell height", "0 to 100", "without swell");
+
+        // Waves of 10 s are 156 m long, those of 3.5 s 19 m; tile and grid hold waves of 2.1 to 64 m.
+        [Test]
+        public void Validate_SwellThatTheTileCannotHold_IsRefused()
+        {
+            AssertRefused((ref SeaSettings s) => s.SwellHeight = 1, "swell period 10 s", "waves of 156", "to 64 m");
+            AssertRefused((ref SeaSettings s) => (s.SwellHeight, s.SwellPeriod, s.ShortestWave) = (1, 3.5, 20),
+                "swell period 3.5 s", "waves of 19", "from 20 to 64 m");
+            AssertRefused((ref SeaSettings s) => (s.SwellHeight, s.SwellPeriod) = (1, double.NaN), "swell period NaN s",
+                "3 to 30");
+            AssertRefused((ref SeaSettings s) =>
+                (s.SwellHeight, s.SwellPeriod, s.SwellDirectionDegrees) = (1, 5, 400), "swell direction 400 deg");
+        }
+
+        [Test]
+        public void Validate_WithoutSwell_ItsNumbersDoNotMatter()
+        {
+            var settings = SeaSettings.Default;
+            (settings.SwellPeriod, settings.SwellDirectionDegrees) = (double.NaN, double.NaN);
+            Assert.DoesNotThrow(() => settings.Validate());
+        }
+
         // Waves as fast as 0.1 m/s are 6 mm long; the 64 m grid has none below 2 m.
         [Test]
         public void Surface_OfAWindTooWeakForItsGrid_IsRefused()

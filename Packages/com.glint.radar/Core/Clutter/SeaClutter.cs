@@ -148,6 +148,22 @@ namespace Glint.Core
         }
 
         /// <summary>
+        /// Angle in degrees from the direction in which the swell travels to that of the radar; null without swell.
+        /// </summary>
+        /// <param name="azimuthDegrees">As of <see cref="RadarAspect.At"/>.</param>
+        public double? SwellAngleAt(double azimuthDegrees)
+        {
+            var waves = LongWaves.Settings;
+            if (waves.SwellHeight == 0)
+                return null;
+            double turn = math.radians(waves.SwellDirectionDegrees - waves.WindDirectionDegrees), sine = Math.Sin(turn),
+                cosine = Math.Cos(turn);
+            var swell = new double3(cosine * Wind.x + sine * Wind.z, 0, cosine * Wind.z - sine * Wind.x);
+            double along = math.dot(RadarAspect.At(azimuthDegrees, 0).ToRadar, swell);
+            return math.degrees(Math.Acos(Math.Max(-1, Math.Min(1, along))));
+        }
+
+        /// <summary>
         /// Time in seconds in which the speckle of a facet decorrelates: <see cref="ClutterMotion.CoherenceTime"/> of
         /// half the shortest wave of the mesh, the side of its facets.
         /// </summary>

@@ -21,7 +21,8 @@ namespace Glint.Core
             Directions = Interval.Closed(-360, 360),
             Choppinesses = Interval.Closed(0, 10), Tiles = Interval.Closed(1, 8192),
             Grids = Interval.Closed(4, 1024), CellCounts = Interval.Closed(1, 2048),
-            Fetches = Interval.Closed(0, MaxFetch), PeakEnhancements = Interval.Closed(1, 10);
+            Fetches = Interval.Closed(0, MaxFetch), PeakEnhancements = Interval.Closed(1, 10),
+            SwellPeriods = Interval.Closed(3, 30);
 
         static readonly Interval s_factors = Interval.Closed(0.001, 1000), s_shortest = Interval.Closed(0, 4096),
             s_seeds = Interval.Closed(0, int.MaxValue), s_jonswapFetches = Interval.Closed(100, MaxFetch);
@@ -54,6 +55,12 @@ namespace Glint.Core
                 "Length of water that the wind has blown over. JONSWAP: 100 or more. Elfouhaily: 0 is unlimited." },
             { nameof(PeakEnhancement), it => it.PeakEnhancement, "Peak Enhancement", "", PeakEnhancements,
                 "Height of the peak relative to that of a fully developed sea. JONSWAP only." },
+            { nameof(SwellHeight), it => it.SwellHeight, "Swell Height", "m", Heights,
+                "Significant height of a swell that is added to the waves of the wind. 0: none." },
+            { nameof(SwellPeriod), it => it.SwellPeriod, "Swell Period", "s", SwellPeriods,
+                "Period of the swell's highest waves: those of 10 s are 156 m long. The tile must hold them." },
+            { nameof(SwellDirectionDegrees), it => it.SwellDirectionDegrees, "Swell Direction", "deg", Directions,
+                "Direction in which the swell travels, as a rotation about Y: 0 to +Z, 90 to +X." },
             { nameof(Seed), it => it.Seed, "Seed", "", s_seeds,
                 "Seed of the sea's random phases and heights. The same number gives the same sea." }
         };
@@ -106,6 +113,18 @@ namespace Glint.Core
         public double PeakEnhancement;
 
         /// <summary>
+        /// Significant height in metres of a swell that is added to the waves of the wind. 0: none, and the other
+        /// numbers of the swell do not matter.
+        /// </summary>
+        public double SwellHeight;
+
+        /// <summary>Period of the swell's spectral peak, seconds.</summary>
+        public double SwellPeriod;
+
+        /// <summary>Direction in which the swell travels, as Unity's rotation about Y.</summary>
+        public double SwellDirectionDegrees;
+
+        /// <summary>
         /// Seed of the random numbers. Finer grids of one seed, tile and wind have the same long waves.
         /// </summary>
         public int Seed;
@@ -118,7 +137,7 @@ namespace Glint.Core
         {
             Kind = SeaSpectrumKind.Elfouhaily, WindSpeed = 7,
             Choppiness = 1, TileSize = 64, GridSize = 64, Cells = 64,
-            PeakEnhancement = 3.3, Seed = 1, HeightFactor = 1,
+            PeakEnhancement = 3.3, SwellPeriod = 10, Seed = 1, HeightFactor = 1,
         };
 
         /// <summary>Refuses values out of range.</summary>
@@ -155,7 +174,24 @@ namespace Glint.Core
             }
             if (Kind == SeaSpectrumKind.Elfouhaily)
                 Elfouhaily.Validate(subject, WindSpeed, Fetch);
+            ValidateSwell(subject);
             Check(subject, "height factor", HeightFactor, s_factors, "", "1 leaves the height as asked for");
+        }
+
+        void ValidateSwell(string subject)
+        {
+            Check(subject, "swell height", SwellHeight, Heights, " m", "0 is a sea without swell");
+            if (SwellHeight == 0)
+                return;
+            Check(subject, "swell period", SwellPeriod, SwellPeriods, " s", "10 is usual");
+            Check(subject, "swell direction", SwellDirectionDegrees, Directions, " deg",
+                "give it as a rotation about Y");
+            double length = Swell.Length(SwellPeriod), shortest = TileSize / (GridSize / 2 - 1);
+            shortest = ShortestWave > shortest ? ShortestWave : shortest;
+            if (!(length >= shortest && length <= TileSize))
+                throw new GlintException($"{subject}: swell period {Text(SwellPeriod)} s, waves of {Text(length)} m, "
+                    + $"must be that of waves from {Text(shortest)} to {Text(TileSize)} m, which tile and grid hold: "
+                    + "give the sea a tile that is some times longer than the swell");
         }
 
         static void Check(string subject, string name, double value, Interval range, string unit, string wayOut)

@@ -7,7 +7,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// A sea's tile at any time: waves of random amplitude and phase (Tessendorf, Simulating Ocean Water, 2001),
-    /// each travelling with the wind at the speed of deep-water waves. No wave travels against the wind, so the
+    /// travelling with the wind or the swell at the speed of deep-water waves. No wave meets its opposite, so the
     /// variance over the tile is constant in time. It differs between seeds, more so if the tile holds few waves.
     /// </summary>
     public sealed class SeaSurface
@@ -53,12 +53,14 @@ namespace Glint.Core
 
         /// <summary>
         /// Hs of the spectrum, metres, the mean over seeds: the requested Hs times the height factor. If none is
-        /// requested, that of the waves of the wind that the tile holds. A <see cref="Finer"/> tile has that of its
-        /// own waves.
+        /// requested, that of the waves of the wind that the tile holds. Swell adds the square of its height times the
+        /// height factor. A <see cref="Finer"/> tile has the height of its own waves.
         /// </summary>
         public double SignificantWaveHeight { get; }
 
-        /// <summary>Factor from <see cref="SeaSpectrum.Density"/> to the density of the tile's waves.</summary>
+        /// <summary>
+        /// Factor from <see cref="SeaSpectrum.Density"/> to the density of the tile's waves of the wind.
+        /// </summary>
         internal double DensityScale { get; }
 
         internal IReadOnlyList<SeaMode> Modes => _modes;
@@ -94,7 +96,8 @@ namespace Glint.Core
                 throw new GlintException($"sea: the finer tile of {RadarSettings.Text(tileSize)} m must be smaller "
                     + $"than the tile of {RadarSettings.Text(_settings.TileSize)} m, whose shorter waves it holds");
             var settings = _settings;
-            (settings.TileSize, settings.Cells) = (tileSize, settings.GridSize);
+            // The grid of the larger tile holds the whole swell.
+            (settings.TileSize, settings.Cells, settings.SwellHeight) = (tileSize, settings.GridSize, 0);
             return new SeaSurface(settings, this);
         }
 
@@ -125,7 +128,7 @@ namespace Glint.Core
 
         /// <summary>
         /// The height factor with which Hs over all these times (four times the root of the mean variance) is the
-        /// requested one. 1 if none is requested: the waves then keep the density of their spectrum.
+        /// requested one, swell included. 1 if none is requested: the waves then keep the density of their spectrum.
         /// </summary>
         /// <exception cref="GlintException">A setting is out of its range, or there are no times.</exception>
         public static double FactorFor(SeaSettings settings, IReadOnlyCollection<double> times)
@@ -139,7 +142,8 @@ namespace Glint.Core
             double sum = 0;
             foreach (double time in times)
                 sum += surface.Variance(time);
-            return settings.SignificantWaveHeight / (4 * Math.Sqrt(sum / times.Count));
+            double asked = settings.SwellHeight > 0 ? surface.SignificantWaveHeight : settings.SignificantWaveHeight;
+            return asked / (4 * Math.Sqrt(sum / times.Count));
         }
 
         /// <summary>
@@ -281,15 +285,47 @@ namespace Glint.Core
             return (sum, covariance);
         }
 
-        // The scale is that from the density of the spectrum to that of the waves drawn.
+        // The scale is that from the density of the spectrum to that of the waves of the wind.
         SeaMode[] Draw(SeaSurface coarser, out double expected, out double densityScale)
         {
             var settings = _settings;
             double number = 2 * Math.PI / settings.TileSize;
-            var (windX, windZ) = PortableMath.SinCos(settings.WindDirectionDegrees / 360);
             var modes = new List<SeaMode>();
             var variances = new List<double>();
-            double sum = 0;
+            double sum = ListWindSea(coarser, modes, variances);
+            if (!(sum > 1e-200))
+                throw new GlintException($"sea: the wind of {RadarSettings.Text(settings.WindSpeed)} m/s raises no "
+                    + $"wave between {RadarSettings.Text(settings.TileSize / _reach)} and "
+                    + $"{RadarSettings.Text(coarser == null ? settings.TileSize : coarser.ShortestLength)} m, "
+                    + "which are those that the grid holds: give it more wind, a smaller tile or a larger grid");
+
+            double asked = settings.SignificantWaveHeight * settings.HeightFactor / 4, area = number * number,
+                scale = coarser != null ? coarser.DensityScale * area
+                    : asked > 0 ? asked * asked / sum : settings.HeightFactor * settings.HeightFactor * area;
+            densityScale = scale / area;
+            for (int i = 0; i < modes.Count; i++)
+                variances[i] *= scale;
+            if (settings.SwellHeight > 0)
+                AddSwell(modes, variances);
+            var drawn = modes.ToArray();
+            expected = 0;
+            for (int i = 0; i < drawn.Length; i++)
+            {
+                // A wave 2 Re(h e^...) has the variance 2 |h|^2, and |h|^2 is 2 on average as drawn.
+                double variance = variances[i], amplitude = Math.Sqrt(variance / 4);
+                drawn[i].Real *= amplitude;
+                drawn[i].Imaginary *= amplitude;
+                expected += variance;
+            }
+            return drawn;
+        }
+
+        // The waves of the wind, their variances without scale, and the sum of these.
+        double ListWindSea(SeaSurface coarser, List<SeaMode> modes, List<double> variances)
+        {
+            var settings = _settings;
+            double number = 2 * Math.PI / settings.TileSize, sum = 0;
+            var (windX, windZ) = PortableMath.SinCos(settings.WindDirectionDegrees / 360);
             for (int row = -_reach; row <= _reach; row++)
                 for (int column = -_reach; column <= _reach; column++)
                 {
@@ -308,27 +344,29 @@ namespace Glint.Core
                     variances.Add(variance);
                     modes.Add(MakeMode(settings.Kind, column, row, length, number, _seed));
                 }
-            if (!(sum > 1e-200))
-                throw new GlintException($"sea: the wind of {RadarSettings.Text(settings.WindSpeed)} m/s raises no "
-                    + $"wave between {RadarSettings.Text(settings.TileSize / _reach)} and "
-                    + $"{RadarSettings.Text(coarser == null ? settings.TileSize : coarser.ShortestLength)} m, "
-                    + "which are those that the grid holds: give it more wind, a smaller tile or a larger grid");
+            return sum;
+        }
 
-            double asked = settings.SignificantWaveHeight * settings.HeightFactor / 4, area = number * number,
-                scale = coarser != null ? coarser.DensityScale * area
-                    : asked > 0 ? asked * asked / sum : settings.HeightFactor * settings.HeightFactor * area;
-            densityScale = scale / area;
-            var drawn = modes.ToArray();
-            expected = 0;
-            for (int i = 0; i < drawn.Length; i++)
+        // Of a wave and its opposite the tile holds one, so that the variance stays constant in time: the higher one,
+        // with the variance of both.
+        void AddSwell(List<SeaMode> modes, List<double> variances)
+        {
+            double number = 2 * Math.PI / _settings.TileSize;
+            var swell = new Swell(_settings).Variances(_reach).Select(wave =>
+                (Mode: MakeMode(_settings.Kind, wave.Column, wave.Row, Math.Sqrt((double)wave.Row * wave.Row
+                    + (double)wave.Column * wave.Column), number, _seed), wave.Variance))
+                .ToDictionary(wave => (wave.Mode.Column, wave.Mode.Row));
+            for (int i = 0; i < modes.Count; i++)
             {
-                // A wave 2 Re(h e^...) has the variance 2 |h|^2, and |h|^2 is 2 on average as drawn.
-                double variance = scale * variances[i], amplitude = Math.Sqrt(variance / 4);
-                drawn[i].Real *= amplitude;
-                drawn[i].Imaginary *= amplitude;
-                expected += variance;
+                if (!swell.TryGetValue((modes[i].Column, modes[i].Row), out var wave))
+                    continue;
+                if (wave.Variance > variances[i])
+                    modes[i] = wave.Mode;
+                variances[i] += wave.Variance;
+                swell.Remove((modes[i].Column, modes[i].Row));
             }
-            return drawn;
+            modes.AddRange(swell.Values.Select(wave => wave.Mode));
+            variances.AddRange(swell.Values.Select(wave => wave.Variance));
         }
 
         // A wave stands for the square of wave numbers around it. The share of it that a larger tile's grid leaves.

@@ -9,7 +9,7 @@ namespace Glint.Editor
     /// <summary><c>glint clutter</c>: the diffuse echo of the sea of a scene, beside published models.</summary>
     static class ClutterCommand
     {
-        // A sea of wind waves, without swell from another direction.
+        // The angle at which the measured shape is that without swell.
         const double WithoutSwellDegrees = 45;
 
         public static int Execute(CommandLine line, IProgressSink progress)
@@ -54,7 +54,7 @@ namespace Glint.Editor
                     Measure(row, sea, setup, tracer, progress);
                     if (levels != null)
                         Scale(row, levels.TableOf(sea, frequency, azimuth, progress, progress.Cancel));
-                    Compare(row, setup, models);
+                    Compare(row, setup, models, sea.Clutter.SwellAngleAt(azimuth) ?? WithoutSwellDegrees);
                     folder.Append(row);
                     if (done == 0)
                         progress.Print(ClutterTable.Header);
@@ -97,7 +97,7 @@ namespace Glint.Editor
             row.Sigma0 = new Sigma0(factor.HH * own.HH, factor.VV * own.VV, factor.HV * own.HV);
         }
 
-        static void Compare(ClutterRow row, ClutterSetup setup, IReadOnlyList<ClutterModel> models)
+        static void Compare(ClutterRow row, ClutterSetup setup, IReadOnlyList<ClutterModel> models, double swellDegrees)
         {
             var at = row.Conditions;
             row.Models = models.Select(model =>
@@ -105,7 +105,7 @@ namespace Glint.Editor
             if (at.GrazingDegrees > ClutterStatistics.MaxGrazingOfShape)
                 return;
             double Measured(bool isHorizontal) => ClutterStatistics.EmpiricalShape(at.GrazingDegrees,
-                setup.Cell.x * setup.Cell.y, isHorizontal, WithoutSwellDegrees);
+                setup.Cell.x * setup.Cell.y, isHorizontal, swellDegrees);
             (row.MeasuredShapeVV, row.MeasuredShapeHH) = (Measured(false), Measured(true));
         }
     }

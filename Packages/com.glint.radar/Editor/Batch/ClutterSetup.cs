@@ -91,6 +91,13 @@ namespace Glint.Editor
             Add("clutter_wind", First.Clutter.ShortWaves.Wind, "m/s");
             var wind = First.Clutter.Wind;
             Add("wind_direction", math.degrees(Math.Atan2(wind.x, wind.z)), "deg");
+            if (Waves.SwellHeight > 0)
+            {
+                Add("swell_height", Waves.SwellHeight, "m");
+                Add("swell_period", Waves.SwellPeriod, "s");
+                Add("swell_direction", math.degrees(Math.Atan2(wind.x, wind.z)) + Waves.SwellDirectionDegrees
+                    - Waves.WindDirectionDegrees, "deg");
+            }
             Add("tile", Waves.TileSize, "m");
             Add("facet", Waves.TileSize / Waves.Cells, "m");
             Add("breaking_fraction", First.Clutter.BreakingFraction, "1");

@@ -55,6 +55,10 @@ namespace Glint.Editor
             yield return ("Waves", FormattableString.Invariant(
                 $"{waves.Kind}, {height}, wind {waves.WindSpeed:0.###} m/s to {waves.WindDirectionDegrees:0.###} deg"),
                 "Spectrum, requested significant wave height, and wind that shapes it.");
+            if (waves.SwellHeight > 0)
+                yield return ("Swell", FormattableString.Invariant(
+                    $"{waves.SwellHeight:0.###} m high, {waves.SwellPeriod:0.###} s, to {waves.SwellDirectionDegrees:0.###} deg"),
+                    "Significant height, period of the peak, and direction of the swell.");
             yield return ("Tile",
                 FormattableString.Invariant($"{waves.TileSize:0.###} m, {2L * waves.Cells * waves.Cells:N0} triangles"),
                 "Side of the repeated tile, and its triangles.");
