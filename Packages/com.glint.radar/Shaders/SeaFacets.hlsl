@@ -140,7 +140,7 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     // Of the grazing angle on the mean sea, which is tilted far from the radar.
     float sine = dot(radar.Direction, float3(tile.SectionX.y, tile.SectionY.y, tile.SectionZ.y));
     if (facet.IsBreaking != 0)
-        sigma.xz = BreakingSigma(saturate(sine));
+        sigma = BreakingSigma(saturate(sine));
     if (_SeaLevelCount > 0)
         sigma *= LevelAt(sine);
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;

@@ -219,6 +219,8 @@ namespace Glint.Tests
         static Sigma0 Sum(TestSea sea, CrossSectionPose pose)
         {
             var table = sea.Clutter.TableAt(TenGigahertz);
+            var scattering = new SeaScattering(TenGigahertz, sea.Clutter.Water.At(TenGigahertz).permittivity,
+                sea.Clutter.ShortWaves.Spectrum.Density);
             var sum = default(Sigma0);
             for (int i = 0; i < sea.Mesh.TriangleCount; i++)
             {
@@ -235,7 +237,8 @@ namespace Glint.Tests
                 }
                 var sigma = table.Read(section / area, toRadar, sea.Clutter.Wind, sea.Clutter.LogWinds[i / 2]);
                 double breaking = SeaScattering.Breaking(toRadar.y);
-                sum += area * strength * (sea.Clutter.BreakingFacets[i] ? new Sigma0(breaking, breaking, sigma.HV) : sigma);
+                sum += area * strength * (sea.Clutter.BreakingFacets[i]
+                    ? new Sigma0(breaking, breaking, scattering.BreakingCross(toRadar.y)) : sigma);
             }
             return sum;
         }
