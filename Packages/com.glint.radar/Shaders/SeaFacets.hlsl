@@ -1,6 +1,7 @@
 #ifndef GLINT_SEA_FACETS
 #define GLINT_SEA_FACETS
 
+#include "Footprint.hlsl"
 #include "PhysicalOptics.hlsl"
 #include "SeaSigma.hlsl"
 #include "Speckle.hlsl"
@@ -42,11 +43,6 @@ StructuredBuffer<uint> _SeaBreaking;       // numbers of the breaking facets of 
 uint4 _SeaGroup;                           // cells along a side of a group, a power of 2; groups and cells along a side of
                                            // the tile; first tile of this dispatch
 float4 _SeaTime;                           // time: s; in coherence times, whole and fraction; exponent of ApproachShare
-
-// The camera's picture, outside of which nothing is lit.
-float4 _FootprintPosition;                 // relative to the scene's centre, m; w: 0: everything is lit
-float4 _FootprintRight, _FootprintUp;      // w: half the picture's width and height, at a distance of 1 or of parallel rays
-float4 _FootprintForward;                  // w: 1: parallel rays
 
 // Cells of the ground whose echoes are summed apart. Each cell has copies of its sums, which reduce contention.
 float4 _SeaCellX, _SeaCellY;               // place in cells: dot(xyz, position) + w
@@ -99,14 +95,6 @@ float2 SpeckleOf(uint facet, SeaTile tile, Receiver radar)
     float2 turn = PhasorOf(sqrt(GRAVITY * bragg + TENSION * bragg * bragg * bragg) * _SeaTime.x);
     return sqrt(approaching) * ComplexMul(numbers.xy, turn)
         + sqrt(1.0 - approaching) * ComplexMul(numbers.zw, float2(turn.x, -turn.y));
-}
-
-bool IsInFootprint(float3 position)
-{
-    float3 from = position - _FootprintPosition.xyz;
-    float ahead = dot(from, _FootprintForward.xyz), reach = _FootprintForward.w != 0.0 ? 1.0 : ahead;
-    return _FootprintPosition.w == 0.0 || ahead > 0.0 && abs(dot(from, _FootprintRight.xyz)) <= reach * _FootprintRight.w
-        && abs(dot(from, _FootprintUp.xyz)) <= reach * _FootprintUp.w;
 }
 
 // No shadow ray is followed from a facet that looks away.

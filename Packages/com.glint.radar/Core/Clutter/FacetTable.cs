@@ -79,6 +79,9 @@ namespace Glint.Core
         /// <summary>Slope variance of the waves that the mesh leaves out, along and across the wind.</summary>
         public double2 Unresolved { get; }
 
+        /// <summary>The same of tilts from the facet itself, which add to more than slopes.</summary>
+        internal double2 TiltVariance => _slopeVariance;
+
         /// <summary>Covariance of these slopes.</summary>
         public double Covariance { get; }
 

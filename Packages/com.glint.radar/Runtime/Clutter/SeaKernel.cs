@@ -136,7 +136,7 @@ namespace Glint
                 (float)SeaClutter.ApproachingExponent));
             _shader.SetFloat(SeaIDs._SeaWaveNumber, (float)(2 * Math.PI / Signal.Wavelength(centre)));
             _shader.SetFloat(SeaIDs._SeaElapsed, (float)time);
-            SetFootprint(pose.Footprint);
+            SetFootprint(_shader, pose.Footprint, _scene.Centre);
             SetCells(grid);
         }
 
@@ -147,18 +147,20 @@ namespace Glint
             _shader.SetBuffer(_facets, SeaIDs._SeaLevels, _sea.Levels.Buffer);
         }
 
-        void SetFootprint(RadarFootprint footprint)
+        /// <summary>Sets the picture outside of which nothing is lit: Shaders/Footprint.hlsl.</summary>
+        /// <param name="centre">Origin of the kernels' coordinates.</param>
+        public static void SetFootprint(ComputeShader shader, RadarFootprint footprint, double3 centre)
         {
             if (footprint == null)
             {
-                _shader.SetVector(SeaIDs._FootprintPosition, Vector4.zero);
+                shader.SetVector(SeaIDs._FootprintPosition, Vector4.zero);
                 return;
             }
             var view = footprint.View;
-            _shader.SetVector(SeaIDs._FootprintPosition, KernelCalls.ToVector(view.Position - _scene.Centre, 1));
-            _shader.SetVector(SeaIDs._FootprintRight, KernelCalls.ToVector(view.Right, (float)footprint.HalfSize.x));
-            _shader.SetVector(SeaIDs._FootprintUp, KernelCalls.ToVector(view.Up, (float)footprint.HalfSize.y));
-            _shader.SetVector(SeaIDs._FootprintForward,
+            shader.SetVector(SeaIDs._FootprintPosition, KernelCalls.ToVector(view.Position - centre, 1));
+            shader.SetVector(SeaIDs._FootprintRight, KernelCalls.ToVector(view.Right, (float)footprint.HalfSize.x));
+            shader.SetVector(SeaIDs._FootprintUp, KernelCalls.ToVector(view.Up, (float)footprint.HalfSize.y));
+            shader.SetVector(SeaIDs._FootprintForward,
                 KernelCalls.ToVector(view.Forward, view.IsParallel ? 1 : 0));
         }
 
