@@ -174,10 +174,10 @@ namespace Glint.Tests
 
         static double Squared(Complex value) => value.Magnitude * value.Magnitude;
 
-        static MeshInstance Plate(double3 middle, double3 across, double3 up) => new MeshInstance
+        static MeshInstance Plate(double3 foot, double3 across, double3 up) => new MeshInstance
         {
             Mesh = new TriangleMesh(new[] { -across / 2, across / 2, across / 2 + up, -across / 2 + up }
-                .Select(corner => (float3)(middle + corner)).ToArray(), new[] { 0, 2, 1, 0, 3, 2 }),
+                .Select(corner => (float3)(foot + corner)).ToArray(), new[] { 0, 2, 1, 0, 3, 2 }),
             ToWorld = Affine.Identity
         };
     }

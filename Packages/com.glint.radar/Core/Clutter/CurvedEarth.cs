@@ -34,7 +34,7 @@ namespace Glint.Core
         /// <summary>A radar above such a scene: lower, and tilted.</summary>
         public static RadarView Below(double3 level, RadarView view)
         {
-            var place = new Place(view.Position, level);
+            var place = new Curvature(view.Position, level);
             view.Position -= place.Drop * s_up;
             (view.Right, view.Up, view.Forward) =
                 (place.Tilted(view.Right), place.Tilted(view.Up), place.Tilted(view.Forward));
@@ -44,7 +44,7 @@ namespace Glint.Core
         static MeshInstance Lowered(MeshInstance instance, double3 centre, double3 level)
         {
             double3 at = instance.ToWorld.Point(centre);
-            var place = new Place(at, level);
+            var place = new Curvature(at, level);
             instance.ToWorld = new Affine
             {
                 X = place.Tilted(instance.ToWorld.X), Y = place.Tilted(instance.ToWorld.Y),
@@ -55,12 +55,12 @@ namespace Glint.Core
         }
 
         // What is at a place is lower, and tilted away from where the earth is level.
-        readonly struct Place
+        readonly struct Curvature
         {
             readonly double3 _ahead;
             readonly double _sine, _versine;
 
-            public Place(double3 at, double3 level)
+            public Curvature(double3 at, double3 level)
             {
                 double3 way = new double3(at.x - level.x, 0, at.z - level.z);
                 double distance = math.length(way), angle = distance / ClutterGeometry.EarthRadius;

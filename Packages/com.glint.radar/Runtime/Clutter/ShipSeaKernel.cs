@@ -11,8 +11,8 @@ namespace Glint
     /// <summary>The kernel that finds where ships light the sea: Shaders/SeaLights.hlsl.</summary>
     sealed class ShipSeaKernel : IDisposable
     {
-        // Rows of a light: GLINT_SEA_LIGHT.
-        const int Rows = 10;
+        /// <summary>Rows of a light: LIGHT_ROWS.</summary>
+        public const int Rows = 10;
 
         const int Rays = 1 << 16;
 
