@@ -82,6 +82,7 @@ namespace Glint.Tests
         // The field that a vertical conducting plate mirrors to the sea is that of the radar's image: the ripples scatter it
         // to the radar, as much the other way round, and back to the image. Turned by 40 degrees the plate lights the sea
         // aside; by 5 it lights mirror points towards the radar.
+        [Category("Slow")]
         [TestCase(40, 30, double.PositiveInfinity)]
         [TestCase(40, 30, 400)]
         [TestCase(65, 15, double.PositiveInfinity)]
