@@ -51,7 +51,7 @@ float SigmaOf(ScreenFacet facet, float3 toRadar)
     float3 v = normalize(float3(0.0, 1.0, 0.0) - toRadar.y * toRadar);
     float3 sigma = BraggSigma(facet.Normal, toRadar, v, 0.0);
     float smooth = (_ScreenSeaCorner.z > 0.0 ? sigma.z : sigma.x) + SpecularSigma(facet.Normal, toRadar);
-    return facet.IsBreaking ? BreakingSigma(saturate(toRadar.y)) : smooth;
+    return facet.IsBreaking ? BreakingSigma(saturate(toRadar.y)).x : smooth;
 }
 
 [numthreads(64, 1, 1)]

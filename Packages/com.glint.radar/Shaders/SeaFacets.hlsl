@@ -1,13 +1,14 @@
 #ifndef GLINT_SEA_FACETS
 #define GLINT_SEA_FACETS
 
+#include "Footprint.hlsl"
 #include "PhysicalOptics.hlsl"
 #include "SeaSigma.hlsl"
 #include "Speckle.hlsl"
 #include "Sums.hlsl"
 
 // The diffuse echo of a sea (Documentation~/clutter.md): the waves that its mesh leaves out scatter back from each facet
-// that the radar sees. One thread a facet, one shadow ray.
+// that the radar sees. One thread a facet, or a group of facets far from the radar, and one shadow ray.
 
 // GLINT_SEA_FACET: a triangle of a tile, in the tile's frame (Runtime/Clutter/SeaFacet.cs).
 struct SeaFacet
@@ -35,13 +36,13 @@ StructuredBuffer<SeaTile> _SeaTiles;
 StructuredBuffer<float4> _SeaVelocities;   // of the facets of a tile, in its frame, m/s; only if _SeaElapsed is not 0
 float _SeaElapsed;                         // time since the moment of the mesh, s
 float _SeaWaveNumber;                      // of the Bragg waves' motion: the same for all frequencies of a band
-uint4 _SeaRange;                           // facets of a tile; first and number of this dispatch; seed of the speckle
-float4 _SeaTime;                           // time: s; in coherence times, whole and fraction; exponent of ApproachShare
+uint4 _SeaRange;                           // items of a tile; first and number of this dispatch; seed of the speckle
 
-// The camera's picture, outside of which nothing is lit.
-float4 _FootprintPosition;                 // relative to the scene's centre, m; w: 0: everything is lit
-float4 _FootprintRight, _FootprintUp;      // w: half the picture's width and height, at a distance of 1 or of parallel rays
-float4 _FootprintForward;                  // w: 1: parallel rays
+// An item is a facet of a tile near the radar; of one that is far a group of cells, or a breaking facet.
+StructuredBuffer<uint> _SeaBreaking;       // numbers of the breaking facets of a tile
+uint4 _SeaGroup;                           // cells along a side of a group, a power of 2; groups and cells along a side of
+                                           // the tile; first tile of this dispatch
+float4 _SeaTime;                           // time: s; in coherence times, whole and fraction; exponent of ApproachShare
 
 // Cells of the ground whose echoes are summed apart. Each cell has copies of its sums, which reduce contention.
 float4 _SeaCellX, _SeaCellY;               // place in cells: dot(xyz, position) + w
@@ -63,6 +64,26 @@ static const float SEA_MAX_UNITS = 4.0e18;
 static const float GRAVITY = 9.81;         // m/s2
 static const float TENSION = 7.2e-5;       // m3/s2
 
+// In place of the time of speckle, for the choice of a facet of a group.
+static const uint SEA_CHOICE = 0x80000001;
+
+// The facet that an item stands for, and the number of facets that it counts for. Of a group it is one of its facets, by a
+// hash of group and tile, for those that do not break; breaking facets are their own items.
+uint FacetOf(uint item, SeaTile tile, out float count)
+{
+    count = 1.0;
+    uint side = _SeaGroup.x, groups = _SeaGroup.y * _SeaGroup.y;
+    if (side == 1)
+        return item;
+    if (item >= groups)
+        return _SeaBreaking[item - groups];
+    uint4 words = SpeckleHash(uint4(item, asuint(tile.Number), _SeaRange.w + side, SEA_CHOICE)) >> 16;
+    uint2 group = uint2(item % _SeaGroup.y, item / _SeaGroup.y), cell = side * group + (words.xy & (side - 1));
+    uint facet = 2 * (cell.y * _SeaGroup.z + cell.x) + (words.z & 1);
+    count = _SeaFacets[facet].IsBreaking != 0 ? 0.0 : 2.0 * side * side;
+    return facet;
+}
+
 // The speckle of a facet now: Bragg waves that run towards the radar, and away from it.
 float2 SpeckleOf(uint facet, SeaTile tile, Receiver radar)
 {
@@ -74,14 +95,6 @@ float2 SpeckleOf(uint facet, SeaTile tile, Receiver radar)
     float2 turn = PhasorOf(sqrt(GRAVITY * bragg + TENSION * bragg * bragg * bragg) * _SeaTime.x);
     return sqrt(approaching) * ComplexMul(numbers.xy, turn)
         + sqrt(1.0 - approaching) * ComplexMul(numbers.zw, float2(turn.x, -turn.y));
-}
-
-bool IsInFootprint(float3 position)
-{
-    float3 from = position - _FootprintPosition.xyz;
-    float ahead = dot(from, _FootprintForward.xyz), reach = _FootprintForward.w != 0.0 ? 1.0 : ahead;
-    return _FootprintPosition.w == 0.0 || ahead > 0.0 && abs(dot(from, _FootprintRight.xyz)) <= reach * _FootprintRight.w
-        && abs(dot(from, _FootprintUp.xyz)) <= reach * _FootprintUp.w;
 }
 
 // No shadow ray is followed from a facet that looks away.
@@ -118,12 +131,15 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint index = IndexOf(group, thread), number = _SeaRange.y + index;
     if (index >= _SeaRange.z)
         return;
-    SeaTile tile = _SeaTiles[number / _SeaRange.x];
-    SeaFacet facet = _SeaFacets[number % _SeaRange.x];
+    SeaTile tile = _SeaTiles[_SeaGroup.w + number / _SeaRange.x];
+    float facets;
+    uint facetNumber = FacetOf(number % _SeaRange.x, tile, facets);
+    SeaFacet facet = _SeaFacets[facetNumber];
     float4 centre = float4(facet.Centre, 1.0);
     float3 position = float3(dot(tile.X, centre), dot(tile.Y, centre), dot(tile.Z, centre));
     float3 section = float3(dot(tile.SectionX, facet.Section), dot(tile.SectionY, facet.Section),
         dot(tile.SectionZ, facet.Section));
+    section *= facets;
     int2 cell = (int2)floor(float2(dot(_SeaCellX.xyz, position) + _SeaCellX.w, dot(_SeaCellY.xyz, position) + _SeaCellY.w));
     float area = length(section);
     if (area == 0.0 || any(cell < 0) || any(cell >= (int2)_SeaCells.xy) || !IsInFootprint(position))
@@ -140,18 +156,18 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     // Of the grazing angle on the mean sea, which is tilted far from the radar.
     float sine = dot(radar.Direction, float3(tile.SectionX.y, tile.SectionY.y, tile.SectionZ.y));
     if (facet.IsBreaking != 0)
-        sigma.xz = BreakingSigma(saturate(sine));
+        sigma = BreakingSigma(saturate(sine));
     if (_SeaLevelCount > 0)
         sigma *= LevelAt(sine);
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;
     float nearer = radar.Phase;
     if (_SeaElapsed != 0.0)
     {
-        float3 velocity = _SeaVelocities[number % _SeaRange.x].xyz;
+        float3 velocity = _SeaVelocities[facetNumber].xyz;
         nearer += _SeaElapsed * dot(radar.Direction,
             float3(dot(tile.X.xyz, velocity), dot(tile.Y.xyz, velocity), dot(tile.Z.xyz, velocity)));
     }
-    float2 field = ComplexMul(SpeckleOf(number % _SeaRange.x, tile, radar), PhasorOf(2.0 * _WaveNumber * nearer));
+    float2 field = ComplexMul(SpeckleOf(facetNumber, tile, radar), PhasorOf(2.0 * _WaveNumber * nearer));
     [unroll]
     for (uint i = 0; i < 3; i++)
     {

@@ -88,12 +88,13 @@ float SpecularSigma(float3 normal, float3 toRadar)
     return max(0.0, normal.y) * _SeaMirror.w * exp(-min(exponent, 80.0)) / (squared * squared);
 }
 
-// Sigma0 of a breaking facet in VV and HH; its incidence is that on the mean sea.
-float BreakingSigma(float cosine)
+// Sigma0 of a breaking facet in VV, HV and HH; its incidence is that on the mean sea.
+float3 BreakingSigma(float cosine)
 {
-    float4 first, second;
-    ReadTable(cosine, 0.0, first, second);
-    return second.z;
+    float4 first, coPolar, crossPolar;
+    ReadTable(cosine, 0.0, first, coPolar);
+    ReadTable(cosine, 1.0, first, crossPolar);
+    return float3(coPolar.z, crossPolar.z, coPolar.z);
 }
 
 // Factors that bring the power of VV, HV and HH to a published level: ClutterLevelTable.FactorAt.

@@ -25,6 +25,8 @@
 #include "TubeCentres.hlsl"
 #elif defined(GLINT_SEA)
 #include "SeaFacets.hlsl"
+#elif defined(GLINT_SEA_LIGHTS)
+#include "SeaLights.hlsl"
 #elif defined(GLINT_FRINGES)
 #include "TubeFringes.hlsl"
 #elif defined(GLINT_UNIFORM_POINTS)

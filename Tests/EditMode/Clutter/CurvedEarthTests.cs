@@ -54,6 +54,52 @@ namespace Glint.Tests
             Assert.That(Sigma0.Decibels(strength * found.Sigma0.HH / expected.Sigma0.HH), Is.EqualTo(0).Within(0.3));
         }
 
+        // A cross section at a range: level at the phase centre, from which elevation is measured. The horizon is where it
+        // is seen from the radar, by its height above the sea below it.
+        [Test]
+        public void PoseOf_ACrossSectionAtARange_IsLitUpToTheHorizon()
+        {
+            const double size = 256, height = 15, before = 4000;
+            var sea = new TestSea(10, size, 32, 0);
+            var calm = new TriangleMesh(sea.Mesh.Vertices.Select(v => new float3(v.x, 0, v.z)).ToArray(), sea.Mesh.Indices);
+            double rise = height - ClutterGeometry.DropAt(before),
+                horizon = Math.Sqrt(2 * ClutterGeometry.EarthRadius * height);
+            int count = (int)(1.2 * horizon / size);
+            var tiles = Enumerable.Range(0, count).Select(i => At(calm, i * size - before + size)).ToArray();
+            var numbers = tiles.Select((_, i) => new SeaTileInstance(i, new int2(0, i))).ToArray();
+            var scene = new RadarScene(tiles) { Seas = new[] { new RadarSea(sea.Clutter, numbers) } };
+            var plan = new CrossSectionPlan(new[] { 0.0 }, new[] { math.degrees(Math.Atan(rise / before)) },
+                new[] { TenGigahertz });
+            var setup = new CrossSectionSetup(scene, plan) { Range = Math.Sqrt(rise * rise + before * before) };
+            var pose = setup.PoseOf(plan[0]);
+            var grid = new ClutterGrid(new double3(-size, 0, size / 2 - before), new double3(1, 0, 0), new double3(0, 0, 1),
+                new double2(2 * size, size), new int2(1, count));
+            var lit = Tracer.Trace(pose, TenGigahertz, grid).Select(cell => cell.LitFraction).ToArray();
+            for (int i = 0; i < count; i++)
+                if (Math.Abs((i + 1) * size - horizon) > size)
+                    Assert.That(lit[i], Is.EqualTo((i + 1) * size < horizon ? 1 : 0).Within(0.01), $"{(i + 1) * size} m");
+            Assert.That(setup.PoseOf(plan[0]).Scene, Is.SameAs(pose.Scene), "the same for all rows");
+            setup.Range = double.PositiveInfinity;
+            Assert.That(setup.PoseOf(plan[0]).Scene, Is.SameAs(scene));
+        }
+
+        // Wedges and patches of a sweep are found once.
+        [Test]
+        public void PoseOf_RadarsAtOtherPlaces_IsTheSameScene()
+        {
+            var sea = new TestSea(10, 32, 32, 0);
+            var tiles = new[] { new SeaTileInstance(0, 0), new SeaTileInstance(1, 0) };
+            var pose = new RadarPose
+            {
+                Settings = RadarSettings.Default, View = ViewAt(30),
+                Scene = new RadarScene(At(sea.Mesh, 5000), At(sea.Mesh, 0)) { Seas = new[] { new RadarSea(sea.Clutter, tiles) } }
+            };
+            var first = CrossSectionPose.Of(pose);
+            pose.View.Position = new double3(3000, 30, -200);
+            Assert.That(CrossSectionPose.Of(pose).Scene.IsSame(first.Scene));
+            Assert.That(first.Scene.IsSame(pose.Scene), Is.False);
+        }
+
         // Nothing is moved without a sea. Parallel rays come from no position.
         [TestCase(false, 0)]
         [TestCase(true, 20)]

@@ -143,6 +143,23 @@ namespace Glint.Tests
             Sigma0.Decibels(SeaScattering.Breaking(Math.Cos(math.radians(incidence)))),
             Is.EqualTo(expected).Within(incidence < 60 ? 0.0051 : 0.051));
 
+        // Ripples of a saturation of 0.01 on slopes across the radar's direction, of half the breakers' variance of 0.19.
+        [TestCase(25)]
+        [TestCase(45)]
+        [TestCase(70)]
+        [TestCase(85)]
+        public void BreakingCross_IsThatOfTiltedRipples(double incidence)
+        {
+            const double slope = 0.001;
+            var ripples = new SeaScattering(1e10, Medium.SeaWater(20, 35).At(1e10).permittivity,
+                (k, cosine) => 0.01 / (k * k * k * k));
+            var normal = math.normalize(s_up + new double3(slope, 0, 0));
+            var radar = Radar(incidence);
+            Assert.That(math.dot(radar, new double3(1, 0, 0)), Is.EqualTo(0).Within(1e-9));
+            Assert.That(ripples.BreakingCross(radar.y),
+                Is.EqualTo(0.19 / 2 * ripples.Bragg(normal, radar, s_wind).HV / (slope * slope)).Within(0.1).Percent);
+        }
+
         [TestCase(5, 0.00093)]
         [TestCase(7, 0.00292)]
         [TestCase(10, 0.00987)]

@@ -125,8 +125,18 @@ namespace Glint.Tests
                 ["SEA_FIELD_UNITS"] = ClutterSums.FieldUnits,
                 ["SEA_POWER_UNITS"] = ClutterSums.PowerUnits, ["SEA_AREA_UNITS"] = ClutterSums.AreaUnits,
                 ["SEA_MAX_UNITS"] = 4e18,
+                // Of hashes: neither is a time of speckle.
+                ["SEA_CHOICE"] = ShaderConstants.Of("Speckle.hlsl")["NO_TIME"] + 1,
                 ["GRAVITY"] = SeaSpectrum.Gravity, ["TENSION"] = ClutterMotion.Tension
             }));
+
+        [Test]
+        public void Rows_OfALight_AreThoseOfCSharp()
+        {
+            var rows = ShaderConstants.Of("SeaLights.hlsl");
+            Assert.That(rows["LIGHT_ROWS"], Is.EqualTo(ShipSeaKernel.Rows));
+            Assert.That(rows.Values, Is.EquivalentTo(Enumerable.Range(0, ShipSeaKernel.Rows + 1)));
+        }
 
         [Test]
         public void Constants_OfSigma_AreThoseOfCSharp() =>

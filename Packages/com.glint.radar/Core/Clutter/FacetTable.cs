@@ -22,7 +22,7 @@ namespace Glint.Core
         /// <summary>
         /// Floats of an element, in m2/m2: the products SS, PP, SP, SSPP of <see cref="FacetPower"/>, then SSSP and
         /// PPSP over the sine of twice the angle to the wind; sigma0 of breaking waves, whose row is over the incidence
-        /// on the mean sea; and the power of the wind with which Bragg scattering of the facet itself grows.
+        /// on the mean sea, in the first column that of VV and HH, in the others that of HV; and the power of the wind with which Bragg scattering of the facet itself grows.
         /// </summary>
         public const int Stride = 8;
 
@@ -79,6 +79,9 @@ namespace Glint.Core
         /// <summary>Slope variance of the waves that the mesh leaves out, along and across the wind.</summary>
         public double2 Unresolved { get; }
 
+        /// <summary>The same of tilts from the facet itself, which add to more than slopes.</summary>
+        internal double2 TiltVariance => _slopeVariance;
+
         /// <summary>Covariance of these slopes.</summary>
         public double Covariance { get; }
 
@@ -122,7 +125,7 @@ namespace Glint.Core
             var power = Mean(cosine, sine, windCosine, windSine);
             int at = (row * Columns + column) * Stride;
             var values = new[] { power.SS, power.PP, power.SP, power.SSPP, power.SSSP / twice, power.PPSP / twice,
-                SeaScattering.Breaking(Math.Max(GrazingCosine, cosine)),
+                column == 0 ? SeaScattering.Breaking(Math.Max(GrazingCosine, cosine)) : _scattering.BreakingCross(cosine),
                 _windExponent(_scattering.BraggWaveNumber(sine), windCosine) };
             for (int i = 0; i < values.Length; i++)
                 Values[at + i] = (float)values[i];

@@ -40,6 +40,9 @@ namespace Glint.Core
         // Slope variance of breaking waves, and what they return outside of mirror directions (Kudryavtsev et al.).
         const double BreakingSlopeVariance = 0.19, BreakingPedestal = 0.005;
 
+        // Saturation k^4 density of the ripples on breaking waves (Kudryavtsev et al. 2019).
+        const double BreakingSaturation = 0.01;
+
         readonly Complex _permittivity;
         readonly WaveDensity _density;
 
@@ -136,8 +139,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Breaking waves, per area of breaking surface; the same in HH and VV, HV is not modelled. Their slopes are
-        /// those of the breakers about the mean sea.
+        /// Breaking waves in HH and VV, which are the same, per area of breaking surface. Their slopes are those of the
+        /// breakers about the mean sea.
         /// </summary>
         /// <param name="cosine">Of the incidence on the mean sea, above 0.</param>
         public static double Breaking(double cosine)
@@ -145,6 +148,22 @@ namespace Glint.Core
             double squared = cosine * cosine, tangentSquared = (1 - squared) / squared;
             return (Math.Exp(-tangentSquared / BreakingSlopeVariance) / (squared * squared) + BreakingPedestal)
                 / BreakingSlopeVariance;
+        }
+
+        /// <summary>
+        /// Breaking waves in HV and VH, per area of breaking surface: Bragg scattering of ripples of a constant saturation,
+        /// turned by the breakers' slopes across the radar's direction (Kudryavtsev et al. 2019).
+        /// </summary>
+        /// <param name="cosine">Of the incidence on the mean sea.</param>
+        public double BreakingCross(double cosine)
+        {
+            double sine = Math.Sqrt(Math.Max(0, 1 - cosine * cosine));
+            if (!HasBragg(cosine, sine))
+                return 0;
+            var (hh, vv) = Coefficients(cosine);
+            double difference = Complex.Abs(vv - hh), ratio = cosine / sine, acrossVariance = BreakingSlopeVariance / 2;
+            return Math.PI * difference * difference * ratio * ratio * ratio * ratio * acrossVariance / (sine * sine)
+                * BreakingSaturation;
         }
 
         /// <summary>

@@ -53,6 +53,12 @@ namespace Glint.Core
         public double? BandCentre { get; set; }
 
         /// <summary>
+        /// Range resolution of what is made of the band, metres: facets of a sea that count for others stay below it.
+        /// Infinite: nothing is.
+        /// </summary>
+        public double RangeCell { get; set; } = double.PositiveInfinity;
+
+        /// <summary>
         /// Times of the pulses, seconds, 0 being the moment of the scene: each has all frequencies. What moves keeps
         /// its velocities, and what the radar sees of it.
         /// </summary>
@@ -114,16 +120,18 @@ namespace Glint.Core
         /// </summary>
         public static CrossSectionPose Of(in RadarPose pose)
         {
-            var view = pose.View;
+            var (view, scene) = (pose.View, pose.Scene);
+            var (boxMin, boxMax) = scene.Bound();
+            // Level in the middle of the scene, which is then the same wherever the radar is.
+            if (scene.Seas.Count > 0 && !view.IsParallel)
+                (view, scene) = (CurvedEarth.Below((boxMin + boxMax) / 2, view),
+                    CurvedEarth.Below((boxMin + boxMax) / 2, scene));
             var radar = new RadarAspect(-view.Forward, view.Up, view.Right);
-            var (boxMin, boxMax) = pose.Scene.Bound();
             // In front of the camera, whatever is behind it.
             double range = Math.Max(MinRange, math.dot((boxMin + boxMax) / 2 - view.Position, view.Forward));
-            bool isCurved = pose.Scene.Seas.Count > 0 && !view.IsParallel;
             return new CrossSectionPose
             {
-                Scene = isCurved ? CurvedEarth.Below(view.Position, pose.Scene) : pose.Scene,
-                Radar = radar, Receivers = new[] { radar },
+                Scene = scene, Radar = radar, Receivers = new[] { radar },
                 PhaseCentre = view.Position + range * view.Forward,
                 Range = view.IsParallel ? double.PositiveInfinity : range,
                 Footprint = new RadarFootprint(view, pose.Settings), Frequencies = new[] { pose.Settings.FrequencyHz },

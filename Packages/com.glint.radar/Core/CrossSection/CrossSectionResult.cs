@@ -11,6 +11,7 @@ namespace Glint.Core
             S = new ScatteringMatrix[receivers, samples];
             Sea = new ScatteringMatrix[receivers, samples];
             Clutter = new ClutterEcho[samples];
+            ShipSea = new ClutterEcho[samples];
             Errors = new double[receivers, samples];
         }
 
@@ -27,6 +28,12 @@ namespace Glint.Core
 
         /// <summary>Diffuse echo of the seas at each sample: included in <see cref="Sea"/>.</summary>
         public ClutterEcho[] Clutter { get; }
+
+        /// <summary>
+        /// Diffuse echo that the seas and all else make together at each sample: included in <see cref="S"/>, and not in
+        /// <see cref="Sea"/>.
+        /// </summary>
+        public ClutterEcho[] ShipSea { get; }
 
         /// <summary>Standard error of the integration, of each complex amplitude, metres.</summary>
         public double[,] Errors { get; }
@@ -51,8 +58,14 @@ namespace Glint.Core
 
         /// <summary>Adds the diffuse echo of seas at each sample, which returns to the only receiver.</summary>
         /// <param name="clutter">Null: none.</param>
-        public void Add(ClutterEcho[] clutter)
+        /// <param name="shipSea">That which they make with all else; null: none.</param>
+        public void Add(ClutterEcho[] clutter, ClutterEcho[] shipSea)
         {
+            for (int sample = 0; shipSea != null && sample < shipSea.Length; sample++)
+            {
+                ShipSea[sample] = shipSea[sample];
+                S[0, sample] += shipSea[sample].S;
+            }
             for (int sample = 0; clutter != null && sample < clutter.Length; sample++)
             {
                 Clutter[sample] = clutter[sample];

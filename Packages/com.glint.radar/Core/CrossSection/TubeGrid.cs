@@ -33,10 +33,25 @@ namespace Glint.Core
 
         /// <summary>A grid of cells of a side, over a box, in the scene's frame, metres.</summary>
         public TubeGrid(CrossSectionPose pose, double side, double3 boxMin, double3 boxMax)
+            : this(pose, side, boxMin, boxMax, pose.Footprint, boxMin, boxMax)
+        {
+        }
+
+        /// <summary>
+        /// A grid over the box around a part of the scene, whatever the picture: from before the whole scene.
+        /// </summary>
+        public TubeGrid(CrossSectionPose pose, double side, double3 boxMin, double3 boxMax, double3 partMin,
+            double3 partMax) : this(pose, side, boxMin, boxMax, null, partMin, partMax)
+        {
+        }
+
+        TubeGrid(CrossSectionPose pose, double side, double3 boxMin, double3 boxMax, RadarFootprint footprint,
+            double3 partMin, double3 partMax)
         {
             Side = side;
             _range = pose.Range;
-            View = pose.Footprint == null ? ViewOf(pose, boxMin, boxMax) : ViewOf(pose.Footprint, pose);
+            View = footprint == null ? ViewOf(pose, partMin, partMax, DepthOf(pose, boxMin, boxMax))
+                : ViewOf(footprint, pose);
             Settings = new RadarSettings
             {
                 FrequencyHz = pose.Frequencies[pose.Frequencies.Length - 1], RaysAcross = Cells.x, RaysDown = Cells.y,
@@ -45,24 +60,35 @@ namespace Glint.Core
             Rays = new RayGrid(Settings, View, boxMin, boxMax);
         }
 
+        static double3 CornerOf(int corner, double3 boxMin, double3 boxMax) => new double3(
+            (corner & 1) == 0 ? boxMin.x : boxMax.x, (corner & 2) == 0 ? boxMin.y : boxMax.y,
+            (corner & 4) == 0 ? boxMin.z : boxMax.z);
+
+        // Of the box before the phase centre, towards the radar.
+        static double DepthOf(CrossSectionPose pose, double3 boxMin, double3 boxMax)
+        {
+            double depth = 0;
+            for (int corner = 0; corner < 8; corner++)
+                depth = Math.Max(depth,
+                    math.dot(CornerOf(corner, boxMin, boxMax) - pose.PhaseCentre, pose.Radar.ToRadar));
+            return depth;
+        }
+
         // Sets the cells too.
-        RadarView ViewOf(CrossSectionPose pose, double3 boxMin, double3 boxMax)
+        RadarView ViewOf(CrossSectionPose pose, double3 boxMin, double3 boxMax, double depth)
         {
             double turn = math.radians(TurnDegrees), cos = Math.Cos(turn), sin = Math.Sin(turn);
             double3 right = cos * pose.Radar.Right + sin * pose.Radar.Up;
             double3 up = cos * pose.Radar.Up - sin * pose.Radar.Right;
             double2 lower = double.PositiveInfinity, upper = double.NegativeInfinity;
-            double depth = 0;
             for (int corner = 0; corner < 8; corner++)
             {
-                double3 at = new double3((corner & 1) == 0 ? boxMin.x : boxMax.x, (corner & 2) == 0 ? boxMin.y : boxMax.y,
-                    (corner & 4) == 0 ? boxMin.z : boxMax.z) - pose.PhaseCentre;
+                double3 at = CornerOf(corner, boxMin, boxMax) - pose.PhaseCentre;
                 double towards = math.dot(at, pose.Radar.ToRadar);
                 double scale = pose.IsFar ? 1 : pose.Range / Math.Max(pose.Range - towards, 1e-3 * pose.Range);
                 double2 place = scale * new double2(math.dot(at, right), math.dot(at, up));
                 lower = math.min(lower, place);
                 upper = math.max(upper, place);
-                depth = Math.Max(depth, towards);
             }
             double2 centre = (lower + upper) / 2;
             if (!pose.IsFar)

@@ -53,6 +53,11 @@ namespace Glint.Core
         /// <summary>Sub-rays around received rays, for the sampling error.</summary>
         public long SubRays { get; set; }
 
+        /// <summary>
+        /// Facets of seas, groups of which count once; each has a shadow ray if it is in the picture and faces the radar.
+        /// </summary>
+        public long SeaFacets { get; set; }
+
         /// <summary>BVH nodes read; 0 unless the tracer was asked to count.</summary>
         public long NodesVisited { get; set; }
 

@@ -27,6 +27,8 @@ namespace Glint
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
+        internal long MinGroups { set => _kernel.MinGroups = value; }
+
         /// <summary>Work of all sums: dispatches, round trips and bytes.</summary>
         public TraceStatistics Statistics => _kernel.Statistics;
 

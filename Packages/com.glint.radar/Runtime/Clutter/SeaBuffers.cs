@@ -22,23 +22,31 @@ namespace Glint
 
         public DeviceBuffer<float4> Levels { get; } = new DeviceBuffer<float4>("levels of a sea");
 
-        public int FacetCount { get; private set; }
+        /// <summary>Numbers of the facets that break.</summary>
+        public DeviceBuffer<uint> Breaking { get; } = new DeviceBuffer<uint>("breaking facets of a sea");
 
-        public int TileCount { get; private set; }
+        public int BreakingCount { get; private set; }
 
         /// <summary>Uploads what has changed.</summary>
+        /// <param name="tiles">In the order of the buffer.</param>
         /// <param name="centre">Origin of the kernels' coordinates.</param>
         /// <param name="frequency">Of the table, hertz.</param>
         /// <param name="areMoving">Whether velocities are read.</param>
         /// <param name="statistics">Receives the bytes.</param>
-        public void Set(RadarScene scene, RadarSea sea, double3 centre, double frequency, bool areMoving,
-            TraceStatistics statistics)
+        public void Set(RadarScene scene, RadarSea sea, IEnumerable<SeaTileInstance> tiles, double3 centre,
+            double frequency, bool areMoving, TraceStatistics statistics)
         {
             var mesh = scene.Instances[sea.Tiles[0].Instance].Mesh;
             var breaking = sea.Clutter.BreakingFacets;
             var winds = sea.Clutter.LogWinds;
             if (mesh != _mesh || breaking != _breaking || winds != _winds)
                 Upload(Facets, FacetsOf(mesh, breaking, winds), statistics);
+            if (breaking != _breaking)
+            {
+                uint[] numbers = Enumerable.Range(0, breaking.Count).Where(i => breaking[i]).Select(i => (uint)i).ToArray();
+                Upload(Breaking, numbers, statistics);
+                BreakingCount = numbers.Length;
+            }
             // Those of an earlier pulse stay: poses may read them in turns.
             var velocities = areMoving ? sea.Clutter.FacetVelocities : _velocities ?? Array.Empty<double3>();
             if (velocities != _velocities)
@@ -48,9 +56,7 @@ namespace Glint
             if (table != _table)
                 SeaSigma.Upload(table, Table);
             (_mesh, _breaking, _winds, _table) = (mesh, breaking, winds, table);
-            FacetCount = mesh.TriangleCount;
-            TileCount = sea.Tiles.Count;
-            Upload(Tiles, sea.Tiles.Select(tile =>
+            Upload(Tiles, tiles.Select(tile =>
                 RecordOf(scene.Instances[tile.Instance].ToWorld, centre, NumberOf(tile.Number))).ToArray(), statistics);
         }
 
@@ -61,6 +67,7 @@ namespace Glint
             Velocities.Dispose();
             Table.Dispose();
             Levels.Dispose();
+            Breaking.Dispose();
             (_mesh, _breaking, _winds, _velocities, _table) = (null, null, null, null, null);
         }
 

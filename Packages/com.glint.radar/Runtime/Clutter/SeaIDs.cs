@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    // Names as in Shaders/SeaFacets.hlsl.
+    // Names as in Shaders/SeaFacets.hlsl, SeaLights.hlsl and Footprint.hlsl.
     static class SeaIDs
     {
         public static readonly int _SeaFacets = Shader.PropertyToID("_SeaFacets");
@@ -11,6 +11,10 @@ namespace Glint
         public static readonly int _SeaWaveNumber = Shader.PropertyToID("_SeaWaveNumber");
         public static readonly int _SeaTiles = Shader.PropertyToID("_SeaTiles");
         public static readonly int _FacetTable = Shader.PropertyToID("_FacetTable");
+        public static readonly int _SeaBreaking = Shader.PropertyToID("_SeaBreaking");
+        public static readonly int _SeaLights = Shader.PropertyToID("_SeaLights");
+        public static readonly int _SeaLightCount = Shader.PropertyToID("_SeaLightCount");
+        public static readonly int _SeaGroup = Shader.PropertyToID("_SeaGroup");
         public static readonly int _SeaRange = Shader.PropertyToID("_SeaRange");
         public static readonly int _SeaWind = Shader.PropertyToID("_SeaWind");
         public static readonly int _SeaTime = Shader.PropertyToID("_SeaTime");

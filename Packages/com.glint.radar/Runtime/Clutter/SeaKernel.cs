@@ -30,6 +30,9 @@ namespace Glint
         /// <summary>Dispatches, round trips and bytes of all sums.</summary>
         public TraceStatistics Statistics { get; } = new TraceStatistics();
 
+        /// <summary>Least number of groups of facets of a sea, for tests.</summary>
+        public long MinGroups { get; set; } = SeaGroups.MinGroups;
+
         /// <param name="shader">Shaders/Tubes.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
         public SeaKernel(ComputeShader shader, string owner)
@@ -62,14 +65,33 @@ namespace Glint
         ClutterEcho[] Sum(CrossSectionPose pose, RadarSea sea, double frequency, double time, ClutterGrid grid,
             IProgress<double> progress, CancellationToken cancel)
         {
-            _sea.Set(pose.Scene, sea, _scene.Centre, frequency, time != 0, Statistics);
+            int[] sides = SeaGroups.SidesOf(pose, sea, grid, MinGroups);
+            var groups = sea.Tiles.Select((tile, i) => (tile, side: sides[i])).GroupBy(it => it.side).ToArray();
+            _sea.Set(pose.Scene, sea, groups.SelectMany(group => group.Select(it => it.tile)), _scene.Centre, frequency,
+                time != 0, Statistics);
             var read = new uint[ClutterSums.WordsOf(grid.Count)];
             _output.Reserve(read.Length);
             Bind(pose, sea.Clutter, frequency, time, grid);
             _shader.SetInt(TubeIDs._ClearedWords, read.Length);
             _shader.DispatchThreads(_clear, read.Length);
             Statistics.Dispatches++;
-            long total = (long)_sea.FacetCount * _sea.TileCount;
+            int cells = sea.Clutter.LongWaves.Settings.Cells, tile = 0;
+            foreach (var group in groups)
+            {
+                int items = (int)SeaGroups.CountOf(cells, group.Key) + (group.Key > 1 ? _sea.BreakingCount : 0);
+                _shader.SetInts(SeaIDs._SeaGroup, group.Key, cells / group.Key, cells, tile);
+                Dispatch(items, group.Count(), (int)sea.Clutter.Seed, read,
+                    done => progress?.Report((tile + done * group.Count()) / sea.Tiles.Count), cancel);
+                tile += group.Count();
+            }
+            return ClutterSums.Echoes(read, grid.Count, PhaseOf(pose, frequency), _owner);
+        }
+
+        // Adds the items of tiles to the sums, and reads the sums.
+        void Dispatch(int items, int tileCount, int seed, uint[] read, Action<double> report, CancellationToken cancel)
+        {
+            long total = (long)items * tileCount;
+            Statistics.SeaFacets += total;
             for (long first = 0; first < total;)
             {
                 cancel.ThrowIfCancellationRequested();
@@ -77,7 +99,7 @@ namespace Glint
                     1);
                 int count = (int)Math.Min(total - first, (long)tiles * TileFacets);
                 var watch = Stopwatch.StartNew();
-                _shader.SetInts(SeaIDs._SeaRange, _sea.FacetCount, (int)first, count, (int)sea.Clutter.Seed);
+                _shader.SetInts(SeaIDs._SeaRange, items, (int)first, count, seed);
                 _shader.DispatchThreads(_facets, count);
                 _output.ReadBack(read, read.Length);
                 _pacer.Took(tiles, watch.Elapsed.TotalSeconds);
@@ -85,9 +107,8 @@ namespace Glint
                 Statistics.RoundTrips++;
                 Statistics.BytesReadBack += sizeof(uint) * (long)read.Length;
                 first += count;
-                progress?.Report((double)first / total);
+                report((double)first / total);
             }
-            return ClutterSums.Echoes(read, grid.Count, PhaseOf(pose, frequency), _owner);
         }
 
         void Bind(CrossSectionPose pose, SeaClutter clutter, double frequency, double time, ClutterGrid grid)
@@ -96,6 +117,7 @@ namespace Glint
             _shader.SetBuffer(_clear, ShaderIDs._Sums, _output.Buffer);
             _shader.SetBuffer(_facets, ShaderIDs._Sums, _output.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._SeaFacets, _sea.Facets.Buffer);
+            _shader.SetBuffer(_facets, SeaIDs._SeaBreaking, _sea.Breaking.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._SeaTiles, _sea.Tiles.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._SeaVelocities, _sea.Velocities.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._FacetTable, _sea.Table.Buffer);
@@ -114,7 +136,7 @@ namespace Glint
                 (float)SeaClutter.ApproachingExponent));
             _shader.SetFloat(SeaIDs._SeaWaveNumber, (float)(2 * Math.PI / Signal.Wavelength(centre)));
             _shader.SetFloat(SeaIDs._SeaElapsed, (float)time);
-            SetFootprint(pose.Footprint);
+            SetFootprint(_shader, pose.Footprint, _scene.Centre);
             SetCells(grid);
         }
 
@@ -125,18 +147,20 @@ namespace Glint
             _shader.SetBuffer(_facets, SeaIDs._SeaLevels, _sea.Levels.Buffer);
         }
 
-        void SetFootprint(RadarFootprint footprint)
+        /// <summary>Sets the picture outside of which nothing is lit: Shaders/Footprint.hlsl.</summary>
+        /// <param name="centre">Origin of the kernels' coordinates.</param>
+        public static void SetFootprint(ComputeShader shader, RadarFootprint footprint, double3 centre)
         {
             if (footprint == null)
             {
-                _shader.SetVector(SeaIDs._FootprintPosition, Vector4.zero);
+                shader.SetVector(SeaIDs._FootprintPosition, Vector4.zero);
                 return;
             }
             var view = footprint.View;
-            _shader.SetVector(SeaIDs._FootprintPosition, KernelCalls.ToVector(view.Position - _scene.Centre, 1));
-            _shader.SetVector(SeaIDs._FootprintRight, KernelCalls.ToVector(view.Right, (float)footprint.HalfSize.x));
-            _shader.SetVector(SeaIDs._FootprintUp, KernelCalls.ToVector(view.Up, (float)footprint.HalfSize.y));
-            _shader.SetVector(SeaIDs._FootprintForward,
+            shader.SetVector(SeaIDs._FootprintPosition, KernelCalls.ToVector(view.Position - centre, 1));
+            shader.SetVector(SeaIDs._FootprintRight, KernelCalls.ToVector(view.Right, (float)footprint.HalfSize.x));
+            shader.SetVector(SeaIDs._FootprintUp, KernelCalls.ToVector(view.Up, (float)footprint.HalfSize.y));
+            shader.SetVector(SeaIDs._FootprintForward,
                 KernelCalls.ToVector(view.Forward, view.IsParallel ? 1 : 0));
         }
 

@@ -23,6 +23,7 @@ namespace Glint
 
         readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
+        readonly Lazy<RadarScene> _onEarth;
 
         /// <summary>The setup of a scene.</summary>
         /// <param name="scene">The scene, with its materials.</param>
@@ -33,6 +34,7 @@ namespace Glint
             (BoxMin, BoxMax) = scene.Bound();
             _patches = new Lazy<SurfacePatches[]>(Patches);
             _quality = new Lazy<MeshQuality>(() => MeshQuality.Find(Scene, _patches.Value));
+            _onEarth = new Lazy<RadarScene>(() => CurvedEarth.Below(PhaseCentre, Scene));
         }
 
         /// <summary>The scene.</summary>
@@ -139,15 +141,22 @@ namespace Glint
         public CrossSectionPose PoseOf(in PlannedCrossSection planned) =>
             PoseOf(planned, new[] { planned.ReceiverAspect }, new[] { planned.Frequency });
 
-        /// <summary>The pose of a row, with some receivers and frequencies.</summary>
+        // Level at the phase centre, where azimuth and elevation are given: the same for all rows.
+        RadarScene PlacedScene => Scene.Seas.Count > 0 && !double.IsPositiveInfinity(Range) ? _onEarth.Value : Scene;
+
+        /// <summary>
+        /// The pose of a row, with some receivers and frequencies. At a finite range a scene with a sea lies on a curved
+        /// earth.
+        /// </summary>
         internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,
             double[] frequencies) =>
             new CrossSectionPose
             {
-                Scene = Scene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre, Range = Range,
+                Scene = PlacedScene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre, Range = Range,
                 Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
                 CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm,
                 BandCentre = Echo?.BandOf(Plan).Centre,
+                RangeCell = Echo?.BandOf(Plan).RangeResolution ?? double.PositiveInfinity,
                 Times = Enumerable.Range(0, Plan.PulseCount).Select(pulse => Plan.Pulses?.TimeOf(pulse) ?? 0).ToArray()
             };
 

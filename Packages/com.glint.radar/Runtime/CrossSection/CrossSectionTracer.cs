@@ -26,6 +26,7 @@ namespace Glint
         readonly EdgeBuffers _edges = new EdgeBuffers();
         readonly SeaKernel _sea;
         readonly SeaLevels _levels;
+        readonly ShipSeaKernel _shipSea;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
@@ -37,6 +38,7 @@ namespace Glint
             _tubes = new TubeTracer(shader, owner);
             _sea = new SeaKernel(shader, owner);
             _levels = new SeaLevels(shader, owner);
+            _shipSea = new ShipSeaKernel(shader);
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
@@ -118,6 +120,7 @@ namespace Glint
             var pose = jobs[0].Pose;
             // Before the tubes' buffers are bound: it clears sums of its own.
             var clutter = Clutter(pose, cancel);
+            var shipSea = clutter == null ? null : _shipSea.Sum(_scene, _surfaces, pose);
             _tubes.SumAll(jobs, _scene, _surfaces);
             double floor = Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max), FloorOf(clutter));
             TraceEdges(jobs, read => AddTo(jobs, job => job.Edges, read), cancel);
@@ -129,7 +132,7 @@ namespace Glint
                 _tubes.TraceSlice(jobs, read => AddTo(jobs, job => job.Sums, read));
                 progress?.Report(jobs.Average(job => job.Fraction));
                 foreach (var job in jobs.Where(job => !job.IsDone && job.Left == 0))
-                    EndAttempt(job, clutter, floor);
+                    EndAttempt(job, clutter, shipSea, floor);
             }
         }
 
@@ -140,10 +143,10 @@ namespace Glint
         }
 
         // Ends an attempt, and plans the next one if the error is too large.
-        void EndAttempt(TubeJob job, ClutterEcho[] clutter, double floor)
+        void EndAttempt(TubeJob job, ClutterEcho[] clutter, ClutterEcho[] shipSea, double floor)
         {
             var result = job.End();
-            result.Add(clutter);
+            result.Add(clutter, shipSea);
             result.FloorDbsm = floor;
             result.WedgesLeftOut = job.Pose.HasEdges ? _edges.LeftOutCount : 0;
             double excess = Excess(result, job.Pose.ToleranceDb, floor);
@@ -278,6 +281,7 @@ namespace Glint
             _tubes.Dispose();
             _sea.Dispose();
             _levels.Dispose();
+            _shipSea.Dispose();
             _scene.Dispose();
             _surfaces.Dispose();
             _edges.Dispose();

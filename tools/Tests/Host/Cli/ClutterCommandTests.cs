@@ -33,6 +33,8 @@ public sealed class ClutterCommandTests
         var sea = UnityEngine.Object.FindFirstObjectByType<Sea>();
         var clutter = sea.CurrentClutter();
         var table = clutter.TableAt(10e9);
+        var scattering =
+            new SeaScattering(10e9, clutter.Water.At(10e9).permittivity, clutter.ShortWaves.Spectrum.Density);
         var toRadar = RadarAspect.At(30, 60).ToRadar;
         var (corners, triangles) = (sea.CurrentSnapshot.Tile.vertices, sea.CurrentSnapshot.Tile.triangles);
         var sum = default(Sigma0);
@@ -42,7 +44,8 @@ public sealed class ClutterCommandTests
             double3 section = math.cross(Corner(1) - Corner(0), Corner(2) - Corner(0)) / 2;
             double area = math.length(section), breaking = SeaScattering.Breaking(toRadar.y);
             var sigma = table.Read(section / area, toRadar, clutter.Wind, clutter.LogWinds[i / 2]);
-            sum += area * (clutter.BreakingFacets[i] ? new Sigma0(breaking, breaking, sigma.HV) : sigma);
+            sum += area * (clutter.BreakingFacets[i]
+                ? new Sigma0(breaking, breaking, scattering.BreakingCross(toRadar.y)) : sigma);
         }
         Assert.That(Number(row, "lit_fraction"), Is.EqualTo(1).Within(1e-6));
         Assert.That(Number(row, "sigma0_vv_db"), Is.EqualTo(Sigma0.Decibels(sum.VV / 4096)).Within(0.005));

@@ -1,0 +1,185 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Glint.Tests
+{
+    /// <summary>What ripples of the sea scatter between a ship and the radar.</summary>
+    public sealed class ShipSeaEchoTests
+    {
+        const double TenGigahertz = 1e10;
+
+        static readonly double3 s_up = new double3(0, 1, 0), s_wind = new double3(0, 0, 1);
+
+        static readonly Complex s_water = Medium.SeaWater(20, 35).At(TenGigahertz).permittivity;
+
+        static readonly Elfouhaily s_waves = new Elfouhaily(10);
+
+        static readonly BistaticScattering s_scattering =
+            new BistaticScattering(TenGigahertz, s_water, s_waves.Density);
+
+        // Back to the radar it is Bragg scattering of tilted facets.
+        [TestCase(30, 0.1, -0.2)]
+        [TestCase(60, -0.1, 0.2)]
+        [TestCase(80, 0.1, 0.1)]
+        public void Coupling_BackToTheRadar_IsThatOfBraggScattering(double incidence, double along, double across)
+        {
+            var radar = RadarAspect.At(25, 90 - incidence);
+            double3 normal = math.normalize(s_up - new double3(across, 0, along));
+            double power = s_scattering.RipplePower(radar.ToRadar, radar.ToRadar, normal, s_wind);
+            var expected = new SeaScattering(TenGigahertz, s_water, s_waves.Density).Bragg(normal, radar.ToRadar, s_wind);
+            var waves = WavesOf(radar.ToRadar, radar.Up, radar.Right);
+            double Of(int received, int sent) => power * Squared(s_scattering.Coupling(waves[received], waves[sent], normal));
+            Assert.That(Of(0, 0), Is.EqualTo(expected.VV).Within(1e-6).Percent);
+            Assert.That(Of(1, 1), Is.EqualTo(expected.HH).Within(1e-6).Percent);
+            Assert.That(Of(1, 0), Is.EqualTo(expected.HV).Within(1e-4).Percent);
+        }
+
+        // Small perturbations of first order from one direction to another, as published in angles (Barrick and Peake
+        // 1968; Ulaby, Moore and Fung 1982): 4 cos cos alpha. The azimuth is that from the forward direction.
+        [TestCase(60, 40, 50)]
+        [TestCase(75, 80, 120)]
+        [TestCase(20, 70, -35)]
+        public void Coupling_BetweenDirections_IsThePublishedOne(double incidence, double scattered, double azimuth)
+        {
+            double i = math.radians(incidence), s = math.radians(scattered), phi = math.radians(azimuth);
+            double3 from = new double3(0, Math.Cos(i), -Math.Sin(i)),
+                to = new double3(Math.Sin(s) * Math.Sin(phi), Math.Cos(s), Math.Sin(s) * Math.Cos(phi));
+            var sent = WavesOf(from, VerticalOf(from), math.cross(s_up, from) / Math.Sin(i));
+            var received = WavesOf(to, VerticalOf(to), math.cross(s_up, to) / Math.Sin(s));
+            void AssertIs(int p, int q, Complex alpha) => Assert.That(
+                s_scattering.Coupling(received[p], sent[q], s_up).Magnitude / (4 * Math.Cos(i) * Math.Cos(s)),
+                Is.EqualTo(alpha.Magnitude).Within(1e-6).Percent);
+            Complex qi = Root(i), qs = Root(s), e = s_water;
+            AssertIs(1, 1, (e - 1) * Math.Cos(phi) / ((Math.Cos(i) + qi) * (Math.Cos(s) + qs)));
+            AssertIs(0, 0, (e - 1) * (e * Math.Sin(i) * Math.Sin(s) - Math.Cos(phi) * qi * qs)
+                / ((e * Math.Cos(i) + qi) * (e * Math.Cos(s) + qs)));
+            AssertIs(1, 0, (e - 1) * Math.Sin(phi) * qi / ((e * Math.Cos(i) + qi) * (Math.Cos(s) + qs)));
+            AssertIs(0, 1, (e - 1) * Math.Sin(phi) * qs / ((Math.Cos(i) + qi) * (e * Math.Cos(s) + qs)));
+        }
+
+        // Back to the radar they are the mirror points of a facet.
+        [Test]
+        public void Mirrored_BackToTheRadar_IsThatOfMirrorPoints()
+        {
+            var scattering = new SeaScattering(TenGigahertz, s_water, s_waves.Density);
+            double2 variance = new double2(0.02, 0.013);
+            foreach (double grazing in new[] { 60, 80, 89.0 })
+            {
+                var radar = RadarAspect.At(25, grazing);
+                double3 normal = math.normalize(new double3(0.05, 1, -0.08));
+                var waves = WavesOf(radar.ToRadar, radar.Up, radar.Right);
+                double density = BistaticScattering.MirrorDensity(radar.ToRadar, radar.ToRadar, normal, s_wind, variance,
+                    0.002), expected = scattering.Specular(normal, radar.ToRadar, s_wind, variance, 0.002);
+                foreach (var wave in waves)
+                    Assert.That(density * Squared(s_scattering.Mirrored(wave, wave)), Is.EqualTo(expected).Within(1e-6).Percent);
+            }
+        }
+
+        // The field that a vertical conducting plate mirrors to the sea is that of the radar's image: the ripples scatter it
+        // to the radar, as much the other way round, and back to the image. Turned by 40 degrees the plate lights the sea
+        // aside; by 5 it lights mirror points towards the radar.
+        [Category("Slow")]
+        [TestCase(40, 30, double.PositiveInfinity)]
+        [TestCase(40, 30, 400)]
+        [TestCase(65, 15, double.PositiveInfinity)]
+        [TestCase(5, 20, double.PositiveInfinity)]
+        public void Sum_APlateOverASea_IsThatOfTheRadarsImage(double turn, double grazing, double range)
+        {
+            var sea = new TestSea(10, 16, 16, 30, 0, height: 0.001);
+            var settings = SeaClutterSettings.On;
+            (settings.WhitecapCoefficient, settings.Gustiness) = (0, 0);
+            var clutter = new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings);
+            var pose = sea.Pose(0, grazing, clutter);
+            const double width = 0.8, height = 0.6;
+            double angle = math.radians(turn);
+            double3 right = new double3(Math.Cos(angle), 0, -Math.Sin(angle)),
+                facing = new double3(-Math.Sin(angle), 0, -Math.Cos(angle));
+            var plate = Plate(new double3(0, 0.1, 3), width * right, new double3(0, height, 0));
+            var water = sea.Instances[0];
+            water.Ranges = new[] { new MeshRange(0, 0, 1) };
+            pose.Scene = new RadarScene(water, plate)
+            {
+                Seas = pose.Scene.Seas, Surfaces = new[] { SurfaceMaterial.PerfectConductor, clutter.Surface }
+            };
+            (pose.Range, pose.PhaseCentre) = (range, new double3(0, 0, 3));
+            var found = Sum(pose);
+
+            double area = width * height * math.dot(pose.Radar.ToRadar, facing) / pose.Radar.ToRadar.y;
+            var expected = area * OfImage(clutter, pose.Radar, facing);
+            void AssertIs(double sigma, double other, double decibels)
+            {
+                double difference = Sigma0.Decibels(sigma / other);
+                TestContext.WriteLine($"{Sigma0.Decibels(sigma):0.00} dBsm, off by {difference:0.000} dB");
+                Assert.That(difference, Is.EqualTo(0).Within(decibels));
+            }
+            AssertIs(found.SigmaVV, expected.VV, 0.15);
+            AssertIs(found.SigmaHH, expected.HH, 0.15);
+            AssertIs(found.SigmaHV, expected.HV, 0.3);
+        }
+
+        static ClutterEcho Sum(CrossSectionPose pose)
+        {
+            using var scene = new DeviceScene(BvhLayout.Binary, "test", long.MaxValue);
+            using var surfaces = new SurfaceBuffers();
+            using var kernel = new ShipSeaKernel(TestKernels.Tubes);
+            scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, default));
+            surfaces.Set(pose.Scene, scene.Centre, pose.CreaseDegrees, pose.CoefficientFrequency);
+            return kernel.Sum(scene, surfaces, pose).Single();
+        }
+
+        // Per area of a level sea, mean over the slopes of its ripples.
+        static Sigma0 OfImage(SeaClutter clutter, RadarAspect radar, double3 facing)
+        {
+            const int steps = 30;
+            double3 Image(double3 v) => v - 2 * math.dot(v, facing) * facing;
+            var table = clutter.TableAt(TenGigahertz);
+            var scattering = new BistaticScattering(TenGigahertz, s_water, clutter.ShortWaves.Spectrum.Density);
+            double3 image = Image(radar.ToRadar), across = new double3(-clutter.Wind.z, 0, clutter.Wind.x);
+            var direct = WavesOf(radar.ToRadar, radar.Up, radar.Right);
+            var byPlate = WavesOf(image, Image(radar.Up), Image(radar.Right));
+            double weights = 0;
+            var sum = default(Sigma0);
+            for (int i = -steps; i <= steps; i++)
+                for (int j = -steps; j <= steps; j++)
+                {
+                    double u = 4.5 * i / steps, v = 4.5 * j / steps, weight = Math.Exp(-(u * u + v * v) / 2);
+                    double3 normal = math.normalize(s_up - u * Math.Sqrt(table.TiltVariance.x) * clutter.Wind
+                        - v * Math.Sqrt(table.TiltVariance.y) * across);
+                    double between = scattering.RipplePower(radar.ToRadar, image, normal, clutter.Wind),
+                        back = scattering.RipplePower(image, image, normal, clutter.Wind);
+                    double Of(int p, int q) => between * Squared(scattering.Coupling(direct[p], byPlate[q], normal)
+                        + scattering.Coupling(byPlate[p], direct[q], normal))
+                        + back * Squared(scattering.Coupling(byPlate[p], byPlate[q], normal));
+                    sum += weight * new Sigma0(Of(1, 1), Of(0, 0), Of(1, 0));
+                    weights += weight;
+                }
+            double loss = RoughnessLoss.MillerBrown(2 * Math.PI / Signal.Wavelength(TenGigahertz) * clutter.ShortWaves.Height
+                * radar.ToRadar.y);
+            double mirrors = (1 - loss * loss) * BistaticScattering.MirrorDensity(radar.ToRadar, image, s_up, clutter.Wind,
+                table.Unresolved, table.Covariance);
+            double Mirrored(int p, int q) => mirrors
+                * Squared(scattering.Mirrored(direct[p], byPlate[q]) + scattering.Mirrored(direct[q], byPlate[p]));
+            return 1 / weights * sum + new Sigma0(Mirrored(1, 1), Mirrored(0, 0), Mirrored(1, 0));
+        }
+
+        static SurfaceWave[] WavesOf(double3 towards, double3 v, double3 h) =>
+            new[] { new SurfaceWave(towards, v, h, 1, 0), new SurfaceWave(towards, v, h, 0, 1) };
+
+        static double3 VerticalOf(double3 towards) => math.normalize(s_up - towards.y * towards);
+
+        static Complex Root(double incidence) => Complex.Sqrt(s_water - Math.Sin(incidence) * Math.Sin(incidence));
+
+        static double Squared(Complex value) => value.Magnitude * value.Magnitude;
+
+        static MeshInstance Plate(double3 foot, double3 across, double3 up) => new MeshInstance
+        {
+            Mesh = new TriangleMesh(new[] { -across / 2, across / 2, across / 2 + up, -across / 2 + up }
+                .Select(corner => (float3)(foot + corner)).ToArray(), new[] { 0, 2, 1, 0, 3, 2 }),
+            ToWorld = Affine.Identity
+        };
+    }
+}
