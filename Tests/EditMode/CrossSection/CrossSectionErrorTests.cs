@@ -32,6 +32,9 @@ namespace Glint.Tests
         const string CountVariable = "GLINT_ERROR_POSES";
         const int DefaultCount = 6;
 
+        // Of all of the table, on a machine that does other things too.
+        const int MaxMilliseconds = 3600000;
+
         /// <summary>A pose with its truth, and what the kernels made of it.</summary>
         sealed class Sample
         {
@@ -44,7 +47,7 @@ namespace Glint.Tests
                 FormattableString.Invariant($"{Target} {Number}: said {Said:g3} m, true {True:g3} m, scale {Scale:g3} m");
         }
 
-        [Test, Timeout(170000)]
+        [Test, Timeout(MaxMilliseconds)]
         public void SaidError_OfRandomPoses_IsAboutTheTrueOne()
         {
             int count = int.Parse(Environment.GetEnvironmentVariable(CountVariable) ?? DefaultCount.ToString(CultureInfo.InvariantCulture),
