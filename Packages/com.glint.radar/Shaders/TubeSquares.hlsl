@@ -39,8 +39,8 @@ struct Bounce
     float4 Strength;       // mean of the corners, halves of the differences along u and v, twist
 };
 
-// Place and length at which a ray has met something; at a finite range, where the direction of a receiver differs from place to
-// place, minus the phase towards it instead.
+// Place and length at which a ray has met something; at a finite range, where the direction of a receiver differs from
+// place to place, minus the phase towards it instead.
 float4 SeenFrom(uint receiver, float4 position)
 {
     if (_IsNear != 0)
@@ -99,7 +99,8 @@ static const uint NO_RECEIVER = 0xffffffff;
 
 // Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
 // corners: see BounceOf.
-bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, float strength, float side, bool canDivide)
+bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, float strength, float side,
+    bool canDivide)
 {
     Bounce bounce = (Bounce)0;
     uint seenFrom = NO_RECEIVER;
@@ -116,7 +117,8 @@ bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, fl
             }
             Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
             // Between the corners a strength that bends is off by up to this.
-            float mean = bounce.Strength.x, most = max(mean, strength), change = most > 0.0 ? abs(mean - strength) / most : 0.0;
+            float mean = bounce.Strength.x, most = max(mean, strength);
+            float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
             float3 bends = BendsOf(bounce, receiver);
             float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
             float2 x = _WaveNumber * halves;

@@ -175,7 +175,8 @@ namespace Glint
         CrossSectionPose PoseOf(int row, in PlannedCrossSection planned, int frequency, int receiver)
         {
             var plan = _setup.Plan;
-            int receivers = Math.Min(TubeKernels.MaxReceivers, plan.Receivers - receiver), first = row - planned.Receiver;
+            int receivers = Math.Min(TubeKernels.MaxReceivers, plan.Receivers - receiver);
+            int first = row - planned.Receiver;
             var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[first + i].ReceiverAspect).ToArray();
             var frequencies = plan.Frequencies.Where((_, i) => _groups.FirstOf(i) == frequency).ToArray();
             return _looks.Looks == 1
