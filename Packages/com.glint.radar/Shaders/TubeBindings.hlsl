@@ -257,8 +257,8 @@ struct Corner
     uint Signature;       // of the path up to it
     uint Bounces;         // in the first element of a corner: those of its ray
     float2 Strength;      // and its product with BentOf
-    float4 Position;      // see PlaceOf
-    float4 AlongU;        // its differentials
+    float4 Position;      // relative to the scene's centre, m; w: RelativeLength of the path
+    float4 AlongU;        // its differentials, m a base cell
     float4 AlongV;
 };
 

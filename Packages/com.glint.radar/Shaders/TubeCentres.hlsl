@@ -8,30 +8,6 @@
 // Sums the cells whose corners see the same, as one tube each bounce, and divides or lists the others as borders. One thread
 // a cell, which follows the ray through its centre.
 
-// Adds what the ray through a corner has met.
-void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre)
-{
-    float4 position = 0.25 * corner.Position;
-    float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
-    bounce.AlongU += fromCentre.x * corner.AlongU;
-    bounce.AlongV += fromCentre.y * corner.AlongV;
-    bounce.Mean += position;
-    bounce.SlopeU += sides.x * position;
-    bounce.SlopeV += sides.y * position;
-    bounce.Twist += sides.x * sides.y * position;
-    bounce.Strength += 0.25 * corner.Strength.x * float4(1.0, sides, sides.x * sides.y);
-}
-
-// What the rays through the corners have met at a bounce, if it is the same. corners: their elements at it.
-Bounce BounceOf(uint4 corners, float side)
-{
-    Bounce bounce = (Bounce)0;
-    [unroll]
-    for (uint i = 0; i < 4; i++)
-        AddCorner(bounce, _Corners[corners[i]], side * CornerOf(i));
-    return bounce;
-}
-
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -62,8 +38,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             corners.AreSame = corners.AreSame && goesOn;
             if (goesOn && bounce >= firstBounce)
             {
-                Bounce met = BounceOf(corners.Elements + bounce, side);
-                goesOn = AddSquare(met, tube, at, receivers, strength, side, canDivide);
+                goesOn = AddSquare(corners.Elements + bounce, tube, at, receivers, strength, side, canDivide);
                 cell.FirstBounce = goesOn ? bounce + 1 : cell.FirstBounce;
             }
             if (!goesOn)

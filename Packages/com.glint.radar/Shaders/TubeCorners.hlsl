@@ -100,9 +100,9 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.Bounces = 0;
         corner.Strength = StrengthAt(tube, at, receivers)
             * float2(1.0, BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin)));
-        corner.Position = PlaceOf(tube);
-        corner.AlongU = DifferentialOf(tube, tube.PlaceU, tube.LengthSlope.x);
-        corner.AlongV = DifferentialOf(tube, tube.PlaceV, tube.LengthSlope.y);
+        corner.Position = float4(tube.Path.Ray.Origin, tube.Path.RelativeLength);
+        corner.AlongU = float4(tube.PlaceU, tube.LengthSlope.x);
+        corner.AlongV = float4(tube.PlaceV, tube.LengthSlope.y);
         _Corners[first + bounces++] = corner;
         if (!ScatterTube(tube, at))
             break;

@@ -39,25 +39,49 @@ struct Bounce
     float4 Strength;       // mean of the corners, halves of the differences along u and v, twist
 };
 
-// Place and length of a corner; at a finite range, where the receiver's direction differs from corner to corner, minus the
-// phase instead.
-float4 PlaceOf(TubePath tube)
-{
-    float3 place = tube.Path.Ray.Origin;
-    if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, tube.Path.RelativeLength - ReceiverFrom(0, place).Phase);
-    return float4(place, tube.Path.RelativeLength);
-}
-
-// The differential of PlaceOf by u or v: of the place, and of the length.
-float4 DifferentialOf(TubePath tube, float3 step, float lengthSlope)
+// Place and length at which a ray has met something; at a finite range, where the direction of a receiver differs from
+// place to place, minus the phase towards it instead.
+float4 SeenFrom(uint receiver, float4 position)
 {
     if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, lengthSlope - dot(ReceiverFrom(0, tube.Path.Ray.Origin).Direction, step));
-    return float4(step, lengthSlope);
+        return float4(0.0, 0.0, 0.0, position.w - ReceiverFrom(receiver, position.xyz).Phase);
+    return position;
 }
 
-// The phase of PlaceOf, or of a difference of such, m.
+// The differential of SeenFrom for that of a position.
+float4 StepSeenFrom(uint receiver, float4 position, float4 step)
+{
+    if (_IsNear != 0)
+        return float4(0.0, 0.0, 0.0, step.w - dot(ReceiverFrom(receiver, position.xyz).Direction, step.xyz));
+    return step;
+}
+
+// Adds what the ray through a corner has met.
+void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre, uint receiver)
+{
+    float4 position = 0.25 * SeenFrom(receiver, corner.Position);
+    float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
+    bounce.AlongU += fromCentre.x * StepSeenFrom(receiver, corner.Position, corner.AlongU);
+    bounce.AlongV += fromCentre.y * StepSeenFrom(receiver, corner.Position, corner.AlongV);
+    bounce.Mean += position;
+    bounce.SlopeU += sides.x * position;
+    bounce.SlopeV += sides.y * position;
+    bounce.Twist += sides.x * sides.y * position;
+    bounce.Strength += 0.25 * corner.Strength.x * float4(1.0, sides, sides.x * sides.y);
+}
+
+// What the rays through the corners have met at a bounce, if it is the same. corners: their elements at it. At a finite
+// range it is that of a receiver.
+Bounce BounceOf(uint4 corners, float side, uint receiver)
+{
+    Bounce bounce = (Bounce)0;
+    [unroll]
+    for (uint i = 0; i < 4; i++)
+        AddCorner(bounce, _Corners[corners[i]], side * CornerOf(i), receiver);
+    return bounce;
+}
+
+// The phase of SeenFrom, or of a difference of such, m.
 float PhaseOf(float4 position, Receiver receiver)
 {
     return dot(position.xyz, receiver.Direction) - position.w;
@@ -71,26 +95,37 @@ float3 BendsOf(Bounce bounce, Receiver receiver)
         PhaseOf(bounce.Twist, receiver));
 }
 
+static const uint NO_RECEIVER = 0xffffffff;
+
 // Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
-bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, float strength, float side, bool canDivide)
+// corners: see BounceOf.
+bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, float strength, float side,
+    bool canDivide)
 {
-    float mean = bounce.Strength.x, most = max(mean, strength);
-    // Between the corners a strength that bends is off by up to this.
-    float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
+    Bounce bounce = (Bounce)0;
+    uint seenFrom = NO_RECEIVER;
     [loop]
     for (uint step = canDivide ? 0 : 1; step < 2; step++)
         for (uint index = 0; index < _ReceiverCount; index++)
         {
             if ((receivers >> index & 1) == 0)
                 continue;
+            if (seenFrom == NO_RECEIVER || _IsNear != 0 && seenFrom != index)
+            {
+                bounce = BounceOf(corners, side, index);
+                seenFrom = index;
+            }
             Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
+            // Between the corners a strength that bends is off by up to this.
+            float mean = bounce.Strength.x, most = max(mean, strength);
+            float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
             float3 bends = BendsOf(bounce, receiver);
             float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
             float2 x = _WaveNumber * halves;
             float2 atCentre = 0.5 * _WaveNumber * side * PhaseSlope(tube, receiver);
             float size = SizeOf(_WaveNumber * bends, x);
             // How far the phase at the centre is from what the corners say, m.
-            float bump = PhaseOf(PlaceOf(tube), receiver) - PhaseOf(bounce.Mean, receiver) + bends.x + bends.y;
+            float bump = receiver.Phase - tube.Path.RelativeLength - PhaseOf(bounce.Mean, receiver) + bends.x + bends.y;
             float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change
                 + BUMP_ERROR * _WaveNumber * abs(bump));
             float2 falls = 1.0 / max(abs(x), 1.0);

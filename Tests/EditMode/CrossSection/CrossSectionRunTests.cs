@@ -95,6 +95,16 @@ namespace Glint.Tests
             Assert.That(RowsOf(2), Is.EqualTo(RowsOf(1)));
         }
 
+        [Test]
+        public void Receivers_AtAFiniteRange_ShareATrace()
+        {
+            var scene = new RadarScene(CrossSectionTargets.Plate(0.2, 0.1));
+            var plan = new CrossSectionPlan(new[] { 0.0, 20 }, new[] { 0.0 }, new[] { TenGigahertz },
+                receiverAzimuths: Enumerable.Range(0, 17).Select(i => 5.0 * i).ToArray());
+            var (rows, traces) = Rows(new CrossSectionSetup(scene, plan) { Range = 5, ToleranceDb = 1 });
+            Assert.That((rows.Length, traces), Is.EqualTo((34, 4)), "16 receivers, and the last");
+        }
+
         (CrossSectionRow[] rows, int traces) Rows(CrossSectionSetup setup)
         {
             using (var run = new CrossSectionRun(setup, TestKernels.Tubes))

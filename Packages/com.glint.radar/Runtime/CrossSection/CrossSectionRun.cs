@@ -9,7 +9,7 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers in the far field, of neighbouring
+    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers, of neighbouring
     /// frequencies (<see cref="FrequencyGroups"/>) and of neighbouring looks of an image (<see cref="LookGroups"/>).
     /// </summary>
     public sealed class CrossSectionRun : IDisposable
@@ -21,7 +21,7 @@ namespace Glint
         readonly FrequencyGroups _groups;
         readonly LookGroups _looks;
         readonly RadarScene _turningScene;
-        readonly int _receiversOfTrace, _posesTogether;
+        readonly int _posesTogether;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
         readonly SweepIdentity _identity;
@@ -59,7 +59,6 @@ namespace Glint
             _looks = setup.Looks;
             if (_looks.Looks > 1)
                 _turningScene = setup.Scene.MovingBy(LookGroups.TurnAbout(setup.PhaseCentre));
-            _receiversOfTrace = double.IsPositiveInfinity(setup.Range) ? TubeKernels.MaxReceivers : 1;
             if (folder != null)
             {
                 _identity = CrossSectionDescription.IdentityOf(setup);
@@ -135,7 +134,7 @@ namespace Glint
         // The trace that a row is of.
         (int Pose, int Frequency, int Receiver) TraceOf(in PlannedCrossSection planned) => (
             _looks.FirstOf(planned.Pose), _groups.FirstOf(planned.FrequencyIndex),
-            planned.Receiver / _receiversOfTrace * _receiversOfTrace);
+            planned.Receiver / TubeKernels.MaxReceivers * TubeKernels.MaxReceivers);
 
         // Traces a row, and the rows of the same frequencies and receivers in later directions.
         void TraceFrom(int row, IProgress<double> progress, CancellationToken cancel)
@@ -176,7 +175,8 @@ namespace Glint
         CrossSectionPose PoseOf(int row, in PlannedCrossSection planned, int frequency, int receiver)
         {
             var plan = _setup.Plan;
-            int receivers = Math.Min(_receiversOfTrace, plan.Receivers - receiver), first = row - planned.Receiver;
+            int receivers = Math.Min(TubeKernels.MaxReceivers, plan.Receivers - receiver);
+            int first = row - planned.Receiver;
             var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[first + i].ReceiverAspect).ToArray();
             var frequencies = plan.Frequencies.Where((_, i) => _groups.FirstOf(i) == frequency).ToArray();
             return _looks.Looks == 1

@@ -122,7 +122,7 @@ public sealed class CrossSectionCommandTests
     }
 
     /// <summary>
-    /// At a finite range a receiver is a trace of its own; so is a frequency far from the others, or with a material.
+    /// Receivers share a trace, at a finite range too; a frequency far from the others, or with a material, has its own.
     /// </summary>
     [TestCase("20,25", "10e9,9.5e9", "--range", "5")]
     [TestCase("20,25", "10e9,5e9")]
