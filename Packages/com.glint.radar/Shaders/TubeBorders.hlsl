@@ -49,6 +49,18 @@ bool FindBend(inout BorderBend bend, uint ray, Border border, uint signature)
     return (isBefore || signature == border.SignatureAfter) && (ray != 1 || isBeyond);
 }
 
+// A cell that is summed as a whole is judged by its corners. If the ray through its middle meets currents whose error is above
+// this many times the error that a cell may have, it is divided after all: its error would be the same in each attempt.
+static const float MAX_HIDDEN_ERROR = 8.0;
+
+// Whether the middle of a cell that is summed as a whole answers far more strongly than its corners.
+bool HidesCurrents(TubePath tube, SurfacePoint at, uint receivers, float side)
+{
+    float2 slope = PhaseSlope(tube, ReceiverFrom(0, tube.Path.Ray.Origin));
+    float error = CRUDE_ERROR * side * side * Thinning(slope, side) * StrengthAt(tube, at, receivers);
+    return error > MAX_HIDDEN_ERROR * CellError();
+}
+
 // Adds the error of a cell whose corners see something, and its centre nothing: what is left out of the sum.
 void AddMissed(Cell cell)
 {
@@ -90,7 +102,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     BorderBend bend = (BorderBend)0;
     uint checks = isCut ? BEND_RAYS : 0, end = isCut ? BEND_RAYS + 2 : 1;
     uint rays = 0;
-    bool isSummed = false;
+    bool isSummed = false, isHidden = false;
     [loop]
     for (uint ray = 0; ray < end; ray++)
     {
@@ -114,6 +126,13 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             uint receivers = ReceiversOf(tube, at), bounce = tube.Path.Bounces - 1;
             Sign(tube, receivers);
+            if (!isCut && bounce >= cell.FirstBounce && cell.Level < MaxLevel() && HidesCurrents(tube, at, receivers, side))
+            {
+                // What it has met before is summed for the whole cell.
+                cell.FirstBounce = bounce;
+                isHidden = true;
+                break;
+            }
             [loop]
             for (uint number = 0; number < _ReceiverCount && ray >= checks && bounce >= cell.FirstBounce; number++)
                 if ((receivers >> number & 1) != 0)
@@ -143,7 +162,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if (ray < checks)
             isStraight = isStraight && FindBend(bend, ray, border, tube.Signature);
     }
-    if (!isStraight && canDivide)
+    if (isHidden || !isStraight && canDivide)
         Divide(cell);
     else if (!isCut && !isSummed)
         AddMissed(cell);
