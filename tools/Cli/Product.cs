@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
@@ -40,8 +41,10 @@ sealed class Product
             return Batch.Execute(line, null);
         LogSink.Writer = (type, message) => _terminal.Report(Labelled(type, message));
         using var cancellation = new Cancellation(_terminal);
-        Project.Open(ProjectFolder.For(line.Input));
         Engine.DeviceSelector = line.Get(Options.Device);
+        if (line.Command.Options.Contains(Options.Device))
+            GraphicsDevice.BeginOpening();
+        Project.Open(ProjectFolder.For(line.Input));
         int Work(IProgressSink progress) =>
             line.Command == Commands.Ppi ? TurnScreen(line, progress) : Batch.Execute(line, progress);
         int exitCode = _terminal.Live == null

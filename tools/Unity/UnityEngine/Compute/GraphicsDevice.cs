@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Threading.Tasks;
 using Glint.Vulkan;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -11,6 +12,7 @@ public static class GraphicsDevice
     static readonly ConcurrentQueue<(string Kind, GpuBuffer Buffer)> _leaked = new();
     static VulkanDevice _device;
     static string _selector;
+    static Task<VulkanDevice> _opening;
 
     /// <summary>
     /// The type that SystemInfo reports. Null, like Unity's -nographics: nothing can be created; all others use Vulkan.
@@ -37,23 +39,41 @@ public static class GraphicsDevice
         {
             if (IsNull)
                 throw new UnityException("there is no graphics device");
-            if (_device != null && _selector != Engine.DeviceSelector)
+            if ((_device != null || _opening != null) && _selector != Engine.DeviceSelector)
                 Close();
-            if (_device == null)
-            {
-                _device = VulkanDevice.Open(Engine.DeviceSelector);
-                _selector = Engine.DeviceSelector;
-            }
-            return _device;
+            BeginOpening();
+            return _device ??= Opened();
         }
+    }
+
+    /// <summary>
+    /// Begins to open the device that <see cref="Engine.DeviceSelector"/> names on another thread: a driver takes a
+    /// fifth of a second. <see cref="Current"/> throws what it cannot.
+    /// </summary>
+    public static void BeginOpening()
+    {
+        if (IsNull || _device != null || _opening != null)
+            return;
+        string selector = _selector = Engine.DeviceSelector;
+        _opening = Task.Run(() => VulkanDevice.Open(selector));
     }
 
     /// <summary>Closes the device and with it all buffers and programs.</summary>
     public static void Close()
     {
         _leaked.Clear();
+        // One that could not be opened is not to be closed.
+        _opening?.ContinueWith(opening => opening.Exception == null ? opening.Result : null).Result?.Dispose();
+        _opening = null;
         _device?.Dispose();
         _device = null;
+    }
+
+    static VulkanDevice Opened()
+    {
+        var opening = _opening;
+        _opening = null;
+        return opening.GetAwaiter().GetResult();
     }
 
     /// <summary>
