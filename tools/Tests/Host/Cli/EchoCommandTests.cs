@@ -252,8 +252,8 @@ public sealed class EchoCommandTests : EchoFixture
         TestShell.Run("merge", At("1"), At("2"), "--out", At("merged"));
         foreach (string folder in new[] { "stopped", "merged" })
             foreach (string name in new[] { "responses.npy", "echo.npz" })
-                Assert.That(File.ReadAllBytes(At($"{folder}/{name}")), Is.EqualTo(File.ReadAllBytes(At($"whole/{name}"))),
-                    $"{folder}/{name}");
+                Assert.That(File.ReadAllBytes(At($"{folder}/{name}")),
+                    Is.EqualTo(File.ReadAllBytes(At($"whole/{name}"))), $"{folder}/{name}");
         // The images of merged parts are those of the processor.
         Assert.That(File.ReadAllBytes(At("stopped/image.csv")), Is.EqualTo(File.ReadAllBytes(At("whole/image.csv"))));
         Assert.That(File.Exists(At("merged/image.csv")));
