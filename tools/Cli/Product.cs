@@ -42,8 +42,8 @@ sealed class Product
         LogSink.Writer = (type, message) => _terminal.Report(Labelled(type, message));
         using var cancellation = new Cancellation(_terminal);
         Engine.DeviceSelector = line.Get(Options.Device);
-        if (line.Command.Options.Any(option => option == Options.Device))
-            GraphicsDevice.OpenAhead();
+        if (line.Command.Options.Contains(Options.Device))
+            GraphicsDevice.BeginOpening();
         Project.Open(ProjectFolder.For(line.Input));
         int Work(IProgressSink progress) =>
             line.Command == Commands.Ppi ? TurnScreen(line, progress) : Batch.Execute(line, progress);

@@ -42,6 +42,8 @@ static const uint FLAT = 0xffffffff;       // a facet without a field of normals
 static const uint BLOCK_CELLS = 4;         // into which a cell is divided
 static const uint BLOCK_CORNERS = 9;
 static const uint TUBES_A_GROUP = 256;      // of the kernel that sums
+static const uint BAND_FREQUENCIES = 64;   // of a block of frequencies that are summed together, at most
+static const uint BAND_ROWS = 3;           // of a block in _Bands
 
 // Byte offsets of the indirect dispatches in _Arguments.
 static const uint BORDER_ARGUMENTS = 0;

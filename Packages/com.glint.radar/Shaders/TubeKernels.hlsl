@@ -5,6 +5,8 @@
 #include "TubeStages.hlsl"
 #elif defined(GLINT_SUM_TUBES)
 #include "TubeSums.hlsl"
+#elif defined(GLINT_BANDS)
+#include "TubeBands.hlsl"
 #elif defined(GLINT_BISECT)
 #include "TubeBisect.hlsl"
 #elif defined(GLINT_AMPLITUDE)

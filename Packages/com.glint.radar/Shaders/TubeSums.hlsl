@@ -117,6 +117,47 @@ float2 PolygonIntegral(float2 corners[5], uint count, float2 w)
     return sense * float2(sum.y, -sum.x) / size;
 }
 
+// What a tube radiates at a wave number, beside its phase.
+struct Shape
+{
+    float2 Integral;       // of exp(j phase) over the piece, base cells; of an edge m
+    float2 Factor;         // that the coefficients do not contain
+    float Scale;           // units of S a unit of Tube.Error
+    float Cancelled;       // of a square: the part of its area that its phase cancels
+};
+
+// w: k times the gradient, rad a base cell.
+Shape ShapeOf(Tube tube, float k, float2 w)
+{
+    uint count = tube.Tag >> 16;
+    bool isEdge = count == EDGE_CORNERS;
+#ifdef GLINT_AMPLITUDE
+    bool isPlain = true;
+#else
+    bool isPlain = isEdge;
+#endif
+    Shape shape;
+    // - j k / sqrt(4 pi), which the coefficients of edges contain
+    shape.Scale = isPlain ? 1.0 : k / SQRT_4_PI;
+    shape.Factor = isPlain ? float2(1.0, 0.0) : float2(0.0, -1.0);
+    shape.Cancelled = 0.0;
+    if (isEdge)
+        shape.Integral = float2(tube.Corners01.x * Sinc(0.5 * tube.Corners01.x * w.x), 0.0);
+    else if (count == 0)
+    {
+        float side = tube.Corners01.x;
+        shape.Integral = side * side * SquareIntegral(0.5 * side * w, k * tube.Corners01.yzw, tube.Corners23);
+        shape.Cancelled = max(0.0, 1.0 - length(shape.Integral) / (side * side));
+    }
+    else
+    {
+        float2 corners[5] = { tube.Corners01.xy, tube.Corners01.zw, tube.Corners23.xy, tube.Corners23.zw,
+            tube.Corner4 };
+        shape.Integral = PolygonIntegral(corners, count, w);
+    }
+    return shape;
+}
+
 // S of a tube at a frequency and time, in units.
 struct Radiation
 {
@@ -138,40 +179,45 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
         w += k * waveNumber.w * rate.xy;
     }
 #endif
-    float turns = PartOfTurn(phase);
-    uint count = tube.Tag >> 16;
-    // - j k / sqrt(4 pi), which the coefficients of edges contain
-    bool isEdge = count == EDGE_CORNERS;
-#ifdef GLINT_AMPLITUDE
-    bool isPlain = true;
-#else
-    bool isPlain = isEdge;
-#endif
-    float scale = isPlain ? 1.0 : k / SQRT_4_PI;
-    float2 factor = isPlain ? float2(1.0, 0.0) : float2(0.0, -1.0), shape;
-    if (isEdge)
-        shape = float2(tube.Corners01.x * Sinc(0.5 * tube.Corners01.x * w.x), 0.0);
-    else if (count == 0)
-    {
-        float side = tube.Corners01.x;
-        shape = side * side * SquareIntegral(0.5 * side * w, k * tube.Corners01.yzw, tube.Corners23);
-    }
-    else
-    {
-        float2 corners[5] = { tube.Corners01.xy, tube.Corners01.zw, tube.Corners23.xy, tube.Corners23.zw,
-            tube.Corner4 };
-        shape = PolygonIntegral(corners, count, w);
-    }
+    Shape shape = ShapeOf(tube, k, w);
+    float2 phasor = Phasor(PartOfTurn(phase));
+    float2 wave = _UnitsPerMetre * shape.Scale * ComplexMul(ComplexMul(shape.Integral, phasor), shape.Factor);
     Radiation radiation;
-    float2 phasor = Phasor(turns), wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, phasor), factor);
-    radiation.Cancelled = count == 0 ? max(0.0, 1.0 - length(shape) / (tube.Corners01.x * tube.Corners01.x)) * phasor
-        : 0.0;
+    radiation.Cancelled = shape.Cancelled * phasor;
     radiation.VV = ComplexMul(wave, tube.CoPolar.xy);
     radiation.HV = ComplexMul(wave, tube.CrossPolar.xy);
     radiation.VH = ComplexMul(wave, tube.CrossPolar.zw);
     radiation.HH = ComplexMul(wave, tube.CoPolar.zw);
-    radiation.Scale = scale;
+    radiation.Scale = shape.Scale;
     return radiation;
+}
+
+// Of a squared error and that of a bent phase, in units.
+float SquaresOf(float error, float2 bent)
+{
+    float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
+    return min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS);
+}
+
+void AccumulateS(inout Sum sums[11], Radiation radiation, inout uint overflow)
+{
+    Accumulate(sums[0], sums[1], radiation.VV, overflow);
+    Accumulate(sums[2], sums[3], radiation.HV, overflow);
+    Accumulate(sums[4], sums[5], radiation.VH, overflow);
+    Accumulate(sums[6], sums[7], radiation.HH, overflow);
+}
+
+// Adds S of a tube, and its error.
+void AccumulateTube(inout Sum sums[11], Tube tube, Radiation radiation, inout uint overflow)
+{
+    AccumulateS(sums, radiation, overflow);
+    // Errors of bent phases may add up or not. At a silhouette, where the phase runs fast, a linear one errs to the
+    // same side in each cell.
+    float error = tube.Error * radiation.Scale;
+    float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent
+        * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + _UnitsPerMetre * error * radiation.Cancelled);
+    Accumulate(sums[8], sums[9], bent, overflow);
+    Accumulate(sums[10], SquaresOf(error, bent), overflow);
 }
 
 // The tubes of a group: the first one, and the end.
@@ -188,14 +234,6 @@ void Clear(out Sum sums[11])
         sums[i].Lower = 0;
         sums[i].Upper = 0;
     }
-}
-
-void Accumulate(inout Sum sums[11], Radiation radiation, inout uint overflow)
-{
-    Accumulate(sums[0], sums[1], radiation.VV, overflow);
-    Accumulate(sums[2], sums[3], radiation.HV, overflow);
-    Accumulate(sums[4], sums[5], radiation.VH, overflow);
-    Accumulate(sums[6], sums[7], radiation.HH, overflow);
 }
 
 static const uint NO_SLOT = 0xffffffff;
@@ -243,16 +281,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 overflow = 0;
                 held = slotOfAll;
             }
-            Radiation radiation = RadiationOf(tube, i, waveNumber);
-            Accumulate(sums, radiation, overflow);
-            // Errors of bent phases may add up or not. At a silhouette, where the phase runs fast, a linear one errs to the
-            // same side in each cell.
-            float error = tube.Error * radiation.Scale;
-            float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent
-                * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + _UnitsPerMetre * error * radiation.Cancelled);
-            Accumulate(sums[8], sums[9], bent, overflow);
-            float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
-            Accumulate(sums[10], min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS), overflow);
+            AccumulateTube(sums, tube, RadiationOf(tube, i, waveNumber), overflow);
         }
         AddSums(held, frequency, copy, sums, overflow);
     }
@@ -277,7 +306,7 @@ void TubeParts(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         Sum sums[11];
         Clear(sums);
         uint overflow = 0;
-        Accumulate(sums, RadiationOf(tube, i, _WaveNumbers[_Parts.y]), overflow);
+        AccumulateS(sums, RadiationOf(tube, i, _WaveNumbers[_Parts.y]), overflow);
         uint2 parts = uint2(_TubeParts[i], _Parts.w + (tube.Tag >> 8 & 0xff));
         for (uint sum = 0; sum < PART_WORDS / 2; sum++)
         {

@@ -158,6 +158,44 @@ namespace Glint.Tests
             }
         }
 
+        // A band is summed by blocks, with the shapes of tubes from three frequencies of each. Two frequencies are summed each
+        // by itself, and the last of the band gives them the band's tubes. Float32 holds the phases to 5e-6.
+        [Test, Timeout(60000)]
+        public void Trace_Band_IsThatOfFrequenciesByThemselves([Values(0, 0.02)] double time)
+        {
+            double[] frequencies = EchoBand.Frequencies(TenGigahertz, 600e6, 70);
+            var pose = BandOf(frequencies, time);
+            Tracer.CellError = 0.002;
+            var band = Tracer.Trace(pose);
+            Tracer.CellsADispatch = 177;
+            Assert.That(Tracer.Trace(pose).S, Is.EqualTo(band.S), "cells of a dispatch change no bit");
+            Tracer.CellsADispatch = 0;
+            double largest = band.S.Cast<ScatteringMatrix>().Max(s => Math.Max(s.VV.Magnitude, s.HH.Magnitude));
+            for (int i = 0; i < 69; i += 17)
+            {
+                var alone = Tracer.Trace(BandOf(new[] { frequencies[i], frequencies[69] }, time));
+                for (int pulse = 0; pulse < 2; pulse++)
+                {
+                    var (s, expected) = (band.S[0, pose.SampleOf(pulse, i)], alone.S[0, 2 * pulse]);
+                    Assert.That(Polarisation.All.Max(each => (each.Of(s) - each.Of(expected)).Magnitude),
+                        Is.LessThan(1e-5 * largest), $"{i}, {pulse}");
+                    Assert.That(band.Errors[0, pose.SampleOf(pulse, i)],
+                        Is.EqualTo(alone.Errors[0, 2 * pulse]).Within(5).Percent, $"{i}, {pulse}");
+                }
+            }
+            Tracer.CellError = 0;
+        }
+
+        // A trihedral that moves, at two times.
+        static CrossSectionPose BandOf(double[] frequencies, double time)
+        {
+            var pose = PoseOf(CrossSectionTargets.Trihedral(0.3, CrossSectionTargets.TrihedralFace.Triangular), 35, 20);
+            pose.Scene = pose.Scene.MovingBy(new RigidMotion
+                { Velocity = new double3(3, 1, -2), AngularVelocity = new double3(0.1, -0.4, 0.2) });
+            (pose.Frequencies, pose.Times, pose.HasEdges) = (frequencies, new[] { 0, time }, true);
+            return pose;
+        }
+
         [Test, Timeout(60000)]
         public void Trace_SeveralReceivers_EqualSingleOnes()
         {

@@ -98,6 +98,7 @@ namespace Glint.Tests
                     ["SUM_S"] = 0, ["SUM_BENT"] = 2 * TubeSums.Bent, ["SUM_ERROR"] = 2 * TubeSums.Border,
                     ["SUM_TUBE_OVERFLOW"] = TubeSums.TooLarge,
                     ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers,
+                    ["BAND_FREQUENCIES"] = TubeBands.MaxFrequencies, ["BAND_ROWS"] = TubeBands.Rows,
                     ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
                     ["COVER_SIDE"] = TubeKernels.CoverSide,
                     ["PART_WORDS"] = TubeKernels.PartWords, ["TUBE_REVEALED"] = AmplitudeTracer.RevealedCount,

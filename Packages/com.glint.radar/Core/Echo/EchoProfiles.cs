@@ -130,6 +130,16 @@ namespace Glint.Core
             return _images[polarisation] = _backproject(NewImage(range), profiles);
         }
 
+        /// <summary>
+        /// Makes all images, if there are any: from then on they are known, and any thread may read all members.
+        /// </summary>
+        internal void MakeImages()
+        {
+            if (Settings.Image != null)
+                foreach (var polarisation in Polarisations)
+                    Image(polarisation);
+        }
+
         IsarTransform NewImage(RangeTransform range)
         {
             var looks = Enumerable.Range(0, Directions).Select(Planned).ToArray();

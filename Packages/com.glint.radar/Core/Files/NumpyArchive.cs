@@ -74,15 +74,24 @@ namespace Glint.Core
             entry.LastWriteTime = s_time;
             using (var file = new BinaryWriter(new BufferedStream(entry.Open(), 1 << 16)))
             {
-                string header = $"{{'descr': '{type}', 'fortran_order': False, 'shape': "
-                    + $"({string.Concat(sizes.Select(size => size + ","))}), }}";
-                int length = (PrefixLength + header.Length + Alignment) / Alignment * Alignment - PrefixLength;
-                file.Write(new byte[] { 0x93, (byte)'N', (byte)'U', (byte)'M', (byte)'P', (byte)'Y', 1, 0 });
-                file.Write((ushort)length);
-                file.Write(Encoding.ASCII.GetBytes(header.PadRight(length - 1) + "\n"));
+                file.Write(HeaderOf(type, sizes));
                 foreach (double number in numbers)
                     file.Write(number);
             }
+        }
+
+        /// <summary>The bytes before the numbers of an array.</summary>
+        /// <param name="atLeast">Bytes, so that a header with other sizes is as long.</param>
+        internal static byte[] HeaderOf(string type, int[] sizes, int atLeast = 0)
+        {
+            string header = $"{{'descr': '{type}', 'fortran_order': False, 'shape': "
+                + $"({string.Concat(sizes.Select(size => size + ","))}), }}";
+            int length = Math.Max(atLeast, (PrefixLength + header.Length + Alignment) / Alignment * Alignment)
+                - PrefixLength;
+            return new byte[]
+                {
+                    0x93, (byte)'N', (byte)'U', (byte)'M', (byte)'P', (byte)'Y', 1, 0, (byte)length, (byte)(length >> 8)
+                }.Concat(Encoding.ASCII.GetBytes(header.PadRight(length - 1) + "\n")).ToArray();
         }
     }
 }

@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Text;
+using System.Threading.Tasks;
 
 namespace Glint.Core
 {
@@ -36,14 +38,24 @@ namespace Glint.Core
             {
                 text.WriteLine("down_range_m,cross_range_m,"
                     + string.Join(",", Polarisation.All.Select(each => $"{each}_dbsm")));
-                for (int i = 0; i < pixels * pixels; i++)
-                {
-                    text.Write(places[i / pixels]);
-                    text.Write(',');
-                    text.Write(places[i % pixels]);
-                    EchoFiles.WriteLevels(text, images, i);
-                }
+                var rows = new string[pixels];
+                Parallel.For(0, pixels, row => rows[row] = RowOf(images, places, row));
+                foreach (string row in rows)
+                    text.Write(row);
             }
+        }
+
+        static string RowOf(Complex[][] images, string[] places, int row)
+        {
+            var text = new StringWriter(CultureInfo.InvariantCulture) { NewLine = "\n" };
+            for (int column = 0; column < places.Length; column++)
+            {
+                text.Write(places[row]);
+                text.Write(',');
+                text.Write(places[column]);
+                EchoFiles.WriteLevels(text, images, row * places.Length + column);
+            }
+            return text.ToString();
         }
 
         static void WriteNumpy(Stream output, WholeRun run)

@@ -26,11 +26,7 @@ namespace Glint.Core
             }
         };
 
-        /// <summary>Responses over a band, and the range profiles made of them.</summary>
-        public static readonly ResultTable Echo = new ResultTable("echo", "responses.csv", CrossSectionColumn.All)
-        {
-            FolderSuffix = "-echo",
-            WholeFiles = new[]
+        static readonly WholeFile[] s_profiles = new[]
             {
                 new WholeFile("profile.csv", EchoFiles.WriteTable, run => run.Echo.Settings.Image == null),
                 new WholeFile("doppler.csv", EchoFiles.WriteMaps,
@@ -43,7 +39,18 @@ namespace Glint.Core
                     run => run.Echo.Settings.HasSigMf),
                 new WholeFile("echo.sigmf-meta", EchoFiles.WriteSigMfMeta,
                     run => run.Echo.Settings.HasSigMf)
-            }.Concat(ImageFiles.All).ToArray()
+            }.Concat(ImageFiles.All).ToArray();
+
+        /// <summary>Responses over a band, and the range profiles made of them.</summary>
+        public static readonly ResultTable Echo = new ResultTable("echo", "responses.csv", CrossSectionColumn.All)
+        {
+            FolderSuffix = "-echo", HasProfiles = true, WholeFiles = s_profiles
+        };
+
+        /// <summary>Responses over a band in the directions of an image, and the image.</summary>
+        public static readonly ResultTable Image = new ResultTable("isar", "responses.npy", CrossSectionColumn.All)
+        {
+            FolderSuffix = "-isar", HasProfiles = true, WholeFiles = s_profiles, IsArray = true
         };
 
         /// <summary>Mean echo and texture of a sea.</summary>
@@ -59,7 +66,8 @@ namespace Glint.Core
         };
 
         /// <summary>Every table.</summary>
-        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo, Clutter, Screen };
+        public static readonly IReadOnlyList<ResultTable> All = new[]
+            { Sweep, CrossSection, Echo, Image, Clutter, Screen };
 
         readonly ResultColumn[] _optional, _required;
 
@@ -84,11 +92,20 @@ namespace Glint.Core
 
         /// <summary>The columns of the files of rows: optional ones if a row has a value of any.</summary>
         internal IReadOnlyList<ResultColumn> ColumnsOf(IEnumerable<StoredRow> rows) =>
-            rows.Any(row => ColumnsOf(row) == Columns) ? Columns : _required;
+            IsArray || rows.Any(row => ColumnsOf(row) == Columns) ? Columns : _required;
 
         /// <summary>The columns of a row: optional ones if it has a value of any.</summary>
         internal IReadOnlyList<ResultColumn> ColumnsOf(StoredRow row) =>
             Array.Exists(_optional, column => row[column] != null) ? Columns : _required;
+
+        /// <summary>
+        /// Whether the rows, which may be very many, are an array (<see cref="RowArray"/>) instead of lines of text, and
+        /// are not in results.json.
+        /// </summary>
+        internal bool IsArray { get; private set; }
+
+        /// <summary>Whether range profiles are made of the rows (<see cref="EchoProfiles"/>).</summary>
+        public bool HasProfiles { get; private set; }
 
         /// <summary>Whether each row has timings.</summary>
         public bool HasTimings { get; private set; }
@@ -134,7 +151,7 @@ namespace Glint.Core
 
         public IReadOnlyList<StoredRow> Rows { get; }
 
-        /// <summary>Of a run of <see cref="ResultTable.Echo"/>.</summary>
+        /// <summary>Of a run with <see cref="ResultTable.HasProfiles"/>.</summary>
         public EchoProfiles Echo => _echo.Value;
     }
 }

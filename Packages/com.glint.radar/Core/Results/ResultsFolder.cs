@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
+using System.Threading.Tasks;
 
 namespace Glint.Core
 {
@@ -31,6 +32,9 @@ namespace Glint.Core
 
         // Letters.
         const int TextBuffer = 1 << 13;
+
+        // Of an array.
+        const int RowsAWrite = 1 << 12;
 
         readonly List<StoredRow> _rows = new List<StoredRow>();
         readonly MemoryStream _bytes = new MemoryStream();
@@ -155,8 +159,12 @@ namespace Glint.Core
 
         /// <summary>Writes and flushes some rows at once.</summary>
         /// <inheritdoc cref="Append(SweepRow)"/>
-        public void Append(IEnumerable<CrossSectionRow> rows) =>
-            Append(rows.Select(row => new StoredRow(row)).ToArray());
+        public void Append(IReadOnlyList<CrossSectionRow> rows)
+        {
+            var stored = new StoredRow[rows.Count];
+            Parallel.For(0, stored.Length, i => stored[i] = new StoredRow(rows[i]));
+            Append(stored);
+        }
 
         /// <inheritdoc cref="Append(SweepRow)"/>
         public void Append(ClutterRow row) => Append(new StoredRow(row));
@@ -166,16 +174,7 @@ namespace Glint.Core
             RequireUnfinished();
             if (_csv == null)
                 Create();
-            // Those of the first row, since all rows have an echo or none has.
-            var columns = _table.ColumnsOf(_rows.Count == 0 ? rows[0] : _rows[0]);
-            Write(text =>
-            {
-                foreach (var row in rows)
-                {
-                    ResultsJson.WriteRow(text, row, _table);
-                    text.Write('\n');
-                }
-            }, text => WriteCsv(text, columns, rows, hasHeader: _rows.Count == 0));
+            Write(rows);
             _rows.AddRange(rows);
         }
 
@@ -191,16 +190,16 @@ namespace Glint.Core
             if (_csv == null)
             {
                 Create();
-                Write(text => { }, text => WriteCsv(text, _table.ColumnsOf(_rows), _rows));
+                Write(_rows);
             }
+            if (_table.IsArray)
+                WriteArrayHeader();
             Close();
             try
             {
                 var run = new WholeRun(info, _rows);
                 if (info.Sweep != null && info.Sweep.Shard == null)
-                    foreach (var whole in _table.WholeFiles.Where(whole => whole.IsWanted(run)))
-                        Try($"{PathOf(whole)}: cannot be written ({CsvPath} is complete)",
-                            () => Replace(PathOf(whole), file => whole.Write(file, run)));
+                    WriteWholeFiles(run);
                 Try($"{JsonPath}: cannot be written ({CsvPath} is complete)",
                     () => Replace(JsonPath, file => WriteJson(file, info)));
                 Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
@@ -219,6 +218,29 @@ namespace Glint.Core
             Close();
             _lock.Dispose();
             _finished = true;
+        }
+
+        // Together: a device makes the images on this thread before.
+        void WriteWholeFiles(WholeRun run)
+        {
+            var wanted = _table.WholeFiles.Where(whole => whole.IsWanted(run)).ToArray();
+            if (_table.HasProfiles)
+                run.Echo.MakeImages();
+            var failures = new GlintException[wanted.Length];
+            Parallel.For(0, wanted.Length, i =>
+            {
+                try
+                {
+                    Try($"{PathOf(wanted[i])}: cannot be written ({CsvPath} is complete)",
+                        () => Replace(PathOf(wanted[i]), file => wanted[i].Write(file, run)));
+                }
+                catch (GlintException error)
+                {
+                    failures[i] = error;
+                }
+            });
+            if (failures.FirstOrDefault(failure => failure != null) is GlintException first)
+                throw first;
         }
 
         IEnumerable<string> WholePaths => _table.WholeFiles.Select(PathOf);
@@ -265,23 +287,35 @@ namespace Glint.Core
             int kept = Math.Min(earlier.Rows.Count, poses - 1);
             if (kept == 0)
                 return 0;
-            var csv = BytesOf(text => WriteCsv(text, _table.ColumnsOf(earlier.Rows.Take(1)), earlier.Rows.Take(kept)));
             Try($"{CsvPath}: cannot be written", () =>
             {
-                int same = CheckCsv(earlier.Rows, csv);
-                _partial = Open(PartialPath, FileMode.Open);
-                _partial.SetLength(_partialLength = earlier.Ends[kept]);
-                _partial.Seek(0, SeekOrigin.End);
-                _csv = Open(CsvPath, FileMode.OpenOrCreate);
-                _csv.SetLength(_csvLength = same);
-                _csv.Seek(0, SeekOrigin.End);
-                _csv.Write(csv, same, csv.Length - same);
-                _csv.Flush();
-                _csvLength = csv.Length;
+                if (_table.IsArray)
+                    KeepRows(earlier.Ends[0], RowArray.LengthOf(kept, _table), Array.Empty<byte>());
+                else
+                {
+                    var csv = BytesOf(text => WriteCsv(text, _table.ColumnsOf(earlier.Rows.Take(1)),
+                        earlier.Rows.Take(kept)));
+                    int same = CheckCsv(earlier.Rows, csv);
+                    KeepRows(earlier.Ends[kept], same, csv.Skip(same).ToArray());
+                }
             }, Dispose);
             _rows.AddRange(earlier.Rows.Take(kept));
             StartedUtc = earlier.StartedUtc;
             return kept;
+        }
+
+        // Opens both files with the rows kept; more: what is missing at the end of that of the rows.
+        void KeepRows(long partialLength, long csvLength, byte[] more)
+        {
+            _partial = Open(PartialPath, FileMode.Open);
+            _partial.SetLength(_partialLength = partialLength);
+            _partial.Seek(0, SeekOrigin.End);
+            _csv = Open(CsvPath, FileMode.OpenOrCreate);
+            _csv.SetLength(csvLength);
+            _csv.Seek(0, SeekOrigin.End);
+            _csv.Write(more, 0, more.Length);
+            _csv.Flush();
+            _csvLength = csvLength + more.Length;
         }
 
         // Refuses rows that were changed. Returns how many bytes stay: none where an older Glint wrote fewer columns.
@@ -320,13 +354,20 @@ namespace Glint.Core
                 throw new GlintException($"{path}: is of another sweep: {difference}: {StartAnew}");
         }
 
+        void WriteArrayHeader()
+        {
+            var header = RowArray.Header(_rows.Count, _table);
+            _csv.Seek(0, SeekOrigin.Begin);
+            _csv.Write(header, 0, header.Length);
+        }
+
         // results.partial first: a sweep is resumed from it. An incomplete row in either file is cut off.
-        void Write(Action<TextWriter> partial, Action<TextWriter> lines)
+        void Write(IReadOnlyList<StoredRow> rows)
         {
             try
             {
-                int more = _sweep == null ? 0 : Put(_partial, partial);
-                _csvLength += Put(_csv, lines);
+                int more = _sweep == null || _table.IsArray ? 0 : Put(_partial, text => WriteLines(text, rows));
+                _csvLength += _table.IsArray ? PutArray(rows) : Put(_csv, text => WriteCsv(text, rows));
                 _partialLength += more;
             }
             // ArgumentException: a file that cannot grow further
@@ -337,11 +378,46 @@ namespace Glint.Core
             }
         }
 
-        // At once: the file has no buffer.
+        void WriteLines(TextWriter text, IReadOnlyList<StoredRow> rows)
+        {
+            foreach (var row in rows)
+            {
+                ResultsJson.WriteRow(text, row, _table);
+                text.Write('\n');
+            }
+        }
+
+        // The columns are those of the first row, since all rows have an echo or none has.
+        void WriteCsv(TextWriter text, IReadOnlyList<StoredRow> rows)
+        {
+            bool isFirst = _csvLength == 0;
+            WriteCsv(text, _table.ColumnsOf((_rows.Count == 0 ? rows : _rows).Take(1)), rows, isFirst);
+        }
+
+        int PutArray(IReadOnlyList<StoredRow> rows)
+        {
+            int written = 0;
+            for (int first = 0; first < rows.Count || first == 0; first += RowsAWrite)
+            {
+                _bytes.SetLength(0);
+                if (_csvLength + written == 0)
+                    _bytes.Write(RowArray.Header(0, _table), 0, (int)RowArray.LengthOf(0, _table));
+                RowArray.Write(_bytes, rows, first, Math.Min(RowsAWrite, rows.Count - first), _table);
+                written += PutBytes(_csv);
+            }
+            return written;
+        }
+
         int Put(FileStream file, Action<TextWriter> write)
         {
             _bytes.SetLength(0);
             WriteTo(_bytes, write);
+            return PutBytes(file);
+        }
+
+        // At once: the file has no buffer.
+        int PutBytes(FileStream file)
+        {
             file.Write(_bytes.GetBuffer(), 0, (int)_bytes.Length);
             file.Flush();
             return (int)_bytes.Length;

@@ -28,6 +28,9 @@ namespace Glint.Core
         /// <summary>Name of the objects' names in the file.</summary>
         public const string ObjectNames = "object_names";
 
+        /// <summary>Name of the number of rows in the file, where they are in a file of their own.</summary>
+        public const string RowCount = "row_count";
+
         readonly JsonTextWriter _json;
         readonly ResultTable _table;
 
@@ -102,11 +105,22 @@ namespace Glint.Core
             if (_table.HasTimings)
                 WriteTimings(rows);
             WriteColumns(rows);
+            WriteRows(rows);
+            _json.WriteEndObject();
+        }
+
+        void WriteRows(IReadOnlyList<StoredRow> rows)
+        {
+            if (_table.IsArray)
+            {
+                Number(RowCount, rows.Count);
+                Text("rows", _table.CsvName);
+                return;
+            }
             Open("rows", array: true);
             foreach (var row in rows)
                 _json.WriteRawValue(Line(row, _table));
             _json.WriteEndArray();
-            _json.WriteEndObject();
         }
 
         void WriteCommand(IReadOnlyList<string> arguments)

@@ -12,7 +12,8 @@ namespace Glint.Core
     /// </summary>
     public sealed class StoredRow
     {
-        readonly double?[] _values;
+        // NaN where there is none.
+        readonly double[] _values;
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
         public StoredRow(SweepRow row) : this(ResultTable.Sweep, row, row.Pose)
@@ -32,16 +33,16 @@ namespace Glint.Core
 
         StoredRow(ResultTable table, object row, object where)
         {
-            _values = new double?[table.Columns.Count];
+            _values = new double[table.Columns.Count];
             for (int i = 0; i < _values.Length; i++)
-                _values[i] = table.Columns[i].Value(row, where);
+                _values[i] = table.Columns[i].Value(row, where) ?? double.NaN;
         }
 
         /// <summary>A row that was written as JSON.</summary>
         /// <exception cref="FormatException">It lacks a value.</exception>
         internal StoredRow(JObject row, ResultTable table)
         {
-            _values = table.Columns.Select(column => Value(row, column)).ToArray();
+            _values = table.Columns.Select(column => Value(row, column) ?? double.NaN).ToArray();
             Contributions = ContributionsJson.Read(row[ContributionsJson.Name]);
             if (!table.HasTimings)
                 return;
@@ -53,16 +54,30 @@ namespace Glint.Core
             PhaseHistogram = Histogram(row["phase_histogram"]);
         }
 
+        /// <summary>A row of a <see cref="RowArray"/>.</summary>
+        /// <exception cref="FormatException">It lacks a value.</exception>
+        internal StoredRow(double[] numbers, ResultTable table)
+        {
+            _values = numbers;
+            for (int i = 0; i < numbers.Length; i++)
+                if (double.IsNaN(numbers[i]) && !table.Columns[i].MayBeMissing)
+                    throw new FormatException($"a row has no {table.Columns[i].Name}");
+        }
+
         /// <summary>A row of a sweep of which only some columns are known.</summary>
         public StoredRow(params (ResultColumn column, double value)[] known)
         {
-            _values = new double?[ResultColumn.All.Count];
+            _values = Enumerable.Repeat(double.NaN, ResultColumn.All.Count).ToArray();
             foreach (var (column, value) in known)
                 _values[column.Index] = value;
         }
 
         /// <summary>The value of a column of the row's table; null where there is none.</summary>
-        public double? this[ResultColumn column] => _values[column.Index];
+        public double? this[ResultColumn column] =>
+            double.IsNaN(_values[column.Index]) ? (double?)null : _values[column.Index];
+
+        /// <summary>Copies the values of all columns, NaN where there is none.</summary>
+        internal void CopyTo(byte[] bytes) => Buffer.BlockCopy(_values, 0, bytes, 0, bytes.Length);
 
         /// <summary>The value on an axis; null where the axis was left alone, for the angle 0.</summary>
         public double? this[SweepAxis axis] => this[ResultColumn.Of(axis)];

@@ -14,7 +14,7 @@ namespace Glint.Core
     /// </summary>
     public sealed class StoredRun
     {
-        StoredRun(JObject json)
+        StoredRun(JObject json, string path)
         {
             Table = TableOf(json);
             if (json.Descendants().OfType<JValue>().Any(IsNotFinite))
@@ -36,7 +36,17 @@ namespace Glint.Core
                 Info.Settings.Add(setting.Value is JObject number
                     ? new RunSetting(setting.Name, Number(number, "value"), Text(number, "unit"))
                     : new RunSetting(setting.Name, (string)setting.Value));
-            Rows = ((JArray)Find(json, "rows")).Select(row => new StoredRow((JObject)row, Table)).ToArray();
+            Rows = Table.IsArray
+                ? ArrayOf(path, (int)Number(json, ResultsJson.RowCount))
+                : ((JArray)Find(json, "rows")).Select(row => new StoredRow((JObject)row, Table)).ToArray();
+        }
+
+        IReadOnlyList<StoredRow> ArrayOf(string path, int count)
+        {
+            var rows = RowArray.Read(Path.Combine(Path.GetDirectoryName(path), Table.CsvName), Table);
+            return rows.Count == count
+                ? rows
+                : throw new FormatException($"{Table.CsvName} beside it has {rows.Count} of {count} rows");
         }
 
         /// <summary>What the rows hold.</summary>
@@ -103,7 +113,7 @@ namespace Glint.Core
             {
                 var json = Parse(File.ReadAllText(path));
                 CheckSchema(json, path);
-                return new StoredRun(json);
+                return new StoredRun(json, path);
             }
             catch (Exception error) when (IsUnreadable(error))
             {

@@ -9,7 +9,8 @@ namespace Glint.Core
     /// <summary>
     /// results.partial of a sweep that is not finished: its identity in the first line,
     /// a row in each line after it, as JSON.
-    /// It holds everything that results.json has of the rows, so that a killed sweep loses nothing.
+    /// It holds everything that results.json has of the rows, so that a killed sweep loses nothing. Rows that are an
+    /// array (<see cref="ResultTable.IsArray"/>) are in their own file alone.
     /// </summary>
     sealed class UnfinishedSweep
     {
@@ -57,12 +58,19 @@ namespace Glint.Core
                         sweep.Rows.Add(new StoredRow(json, sweep._table));
                     sweep.Ends.Add(end + 1);
                 }
+                sweep?.AddArray(path);
                 return sweep;
             }
             catch (Exception error) when (StoredRun.IsUnreadable(error))
             {
                 throw StoredRun.Damaged(line == 0 ? path : FormattableString.Invariant($"{path}, line {line}"), error);
             }
+        }
+
+        void AddArray(string path)
+        {
+            if (_table.IsArray)
+                Rows.AddRange(RowArray.Read(Path.Combine(Path.GetDirectoryName(path), _table.CsvName), _table));
         }
     }
 }

@@ -196,7 +196,7 @@ namespace Glint.Editor
         /// <summary>Computes an image of a sweep of looks.</summary>
         public static readonly Command Isar = new Command("isar", "Compute an ISAR image of a scene or a mesh file in "
             + "dBsm from a sweep of small angles, and write image.csv, image.npz, a PNG file for each polarisation, "
-            + "responses.csv, echo.npz and results.json.")
+            + "responses.npy, echo.npz and results.json.")
         {
             Options = EchoOptions.AllOfImage,
             Required = new Option[] { CrossSectionOptions.Azimuth },
@@ -208,7 +208,7 @@ namespace Glint.Editor
                         + "towards the radar, unless the elevation is 0.",
                     "A bin of cross range is the wavelength over twice the angle of all azimuths in radians; the "
                         + "unambiguous cross range has as many bins as there are azimuths.",
-                    "Without --out the files go to Results/<name of the input>-echo beside the project's Assets."
+                    "Without --out the files go to Results/<name of the input>-isar beside the project's Assets."
                 },
             Handler = EchoCommand.Execute,
             UnityMethod = "Glint.Editor.Batch.Isar",

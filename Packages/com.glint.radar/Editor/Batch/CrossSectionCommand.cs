@@ -21,7 +21,7 @@ namespace Glint.Editor
 
         /// <summary>Computes the rows of a setup into the folder of a command line, prints them and warns.</summary>
         /// <param name="table">What the rows are written as.</param>
-        /// <param name="lines">What is printed of the rows.</param>
+        /// <param name="lines">What is printed of the rows; null: nothing.</param>
         /// <returns>The exit code.</returns>
         /// <exception cref="GlintException">A row cannot be computed or written; earlier rows are kept.</exception>
         public static int Compute(CommandLine line, CrossSectionSetup setup, string name, ResultTable table,
@@ -129,14 +129,15 @@ namespace Glint.Editor
                 while (!run.IsComplete && !progress.Cancel.IsCancellationRequested)
                 {
                     var row = run.Step(progress, progress.Cancel);
-                    if (run.Done == before + 1)
+                    if (run.Done == before + 1 && lines != null)
                         progress.Print(lines.Header);
                     unmet.Add(row);
                     comparison.Add(row);
-                    string text = lines.Add(row);
+                    string text = lines?.Add(row);
                     if (text != null)
                         progress.Print(text);
-                    if (text != null || run.IsComplete)
+                    bool isLast = row.Planned.FrequencyIndex == setup.Plan.Frequencies.Count - 1;
+                    if (text != null || lines == null && isLast || run.IsComplete)
                         progress.Advance(run.Done, run.Count == 1 ? null : row.ToString());
                 }
             }

@@ -43,8 +43,10 @@ namespace Glint.Editor
             {
                 if (isImage)
                     setup.Backproject = imager.Image;
-                return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
-                    progress);
+                return isImage
+                    ? CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Image, null, progress)
+                    : CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
+                        progress);
             }
         }
 

@@ -33,7 +33,7 @@ namespace Glint.Editor
         /// <summary>The run in the form of results.json, with one row for each direction: its highest echo.</summary>
         public JObject RunToJson()
         {
-            var run = StoredRun.Parse(ResultsJson.Line(_run.Info, Array.Empty<StoredRow>(), _run.Table));
+            var run = StoredRun.Parse(ResultsJson.Line(_run.Info, Array.Empty<StoredRow>(), ResultTable.Echo));
             foreach (var polarisation in _echo.Polarisations)
             {
                 string name = polarisation.Name.ToUpperInvariant();

@@ -23,7 +23,7 @@ namespace Glint.Editor
             if (!hasPoses && line.IsGiven(ReportOptions.Pose) && pose != ReportOptions.NoPose)
                 throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: a report of glint {run.Table.Name} shows no "
                     + "pose: leave it out");
-            int poses = run.Table == ResultTable.Echo ? EchoProfiles.DirectionsOf(run.Info) : run.Count;
+            int poses = run.Table.HasProfiles ? EchoProfiles.DirectionsOf(run.Info) : run.Count;
             if (pose > poses)
                 throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {poses}, "
                     + $"the rows of {line.Input}, or none");

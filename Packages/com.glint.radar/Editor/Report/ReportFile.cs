@@ -33,7 +33,7 @@ namespace Glint.Editor
             if (index < 0 || template.IndexOf(Placeholder, index + 1, StringComparison.Ordinal) >= 0)
                 throw new GlintException("the report's template is damaged: "
                     + "restore Editor/Report/Template.txt of the package");
-            var echo = run.Table == ResultTable.Echo ? new EchoReport(run) : null;
+            var echo = run.Table.HasProfiles ? new EchoReport(run) : null;
             var data = new JObject
             {
                 ["glint"] = GlintVersion.Text,

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
 using System.Threading;
+using System.Threading.Tasks;
 using Glint.Core;
 using UnityEngine;
 
@@ -51,6 +52,7 @@ namespace Glint
         {
             (_setup, _folder) = (setup, folder);
             string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
+            var ahead = new SceneAhead(setup.Scene, () => setup.FoundPatches, setup.HasEdges);
             setup.Validate(subject);
             int rows = setup.Plan.Count;
             _first = shard?.First(rows) ?? 0;
@@ -68,6 +70,7 @@ namespace Glint
                     Done = folder.Resume(Count);
             }
             _tracer = new CrossSectionTracer(shader, subject);
+            _tracer.Expect(ahead);
             _posesTogether = posesTogether;
         }
 
@@ -104,21 +107,20 @@ namespace Glint
             return row;
         }
 
-        // The next row, and with it those of its direction that are traced already: they are written at once. A row with
-        // contributions takes a trace of its own, and is written alone.
+        // The next row, and with it those that are traced already: they are written at once. A row with contributions takes
+        // a trace of its own, and is written alone.
         void Compute(IProgress<double> progress, CancellationToken cancel)
         {
-            int first = _first + Done, pose = _setup.Plan[first].Pose;
+            int first = _first + Done, end = first + 1;
             if (!_traces.ContainsKey(TraceOf(_setup.Plan[first])))
                 TraceFrom(first, progress, cancel);
-            var rows = new List<CrossSectionRow>();
-            for (int number = first; number < _first + Count && (rows.Count == 0 || !_setup.HasContributions); number++)
-            {
-                var planned = _setup.Plan[number];
-                if (planned.Pose != pose || !_traces.ContainsKey(TraceOf(planned)))
-                    break;
-                rows.Add(RowOf(planned, progress, cancel));
-            }
+            while (end < _first + Count && !_setup.HasContributions && _traces.ContainsKey(TraceOf(_setup.Plan[end])))
+                end++;
+            var rows = new CrossSectionRow[end - first];
+            if (rows.Length == 1)
+                rows[0] = RowOf(_setup.Plan[first], progress, cancel);
+            else
+                Parallel.For(0, rows.Length, i => rows[i] = RowOf(_setup.Plan[first + i], progress, cancel));
             _folder?.Append(rows);
             foreach (var row in rows)
                 _ready.Enqueue(row);

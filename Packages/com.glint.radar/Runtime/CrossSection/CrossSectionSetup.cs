@@ -118,6 +118,9 @@ namespace Glint
         /// <summary>How well the facets follow curved surfaces.</summary>
         public MeshQuality Quality => _quality.Value;
 
+        /// <summary>The patches of each instance.</summary>
+        internal SurfacePatches[] FoundPatches => _patches.Value;
+
         /// <summary>Warning of facets that are too coarse at the highest frequency; null if none are.</summary>
         /// <param name="subject">Name of what is computed.</param>
         public string CoarseMeshWarning(string subject)

@@ -27,6 +27,7 @@ namespace Glint
         readonly SeaKernel _sea;
         readonly SeaLevels _levels;
         readonly ShipSeaKernel _shipSea;
+        SceneAhead _ahead;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
@@ -58,6 +59,9 @@ namespace Glint
 
         /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int CellsADispatch { set => _tubes.CellsADispatch = value; }
+
+        /// <summary>Takes what was begun of the scene of the next poses, in their crease angle.</summary>
+        internal void Expect(SceneAhead ahead) => _ahead = ahead;
 
         /// <summary>Poses that are traced together at most; a single one fills a software device.</summary>
         public static int PosesOfADispatch => TubeTracer.MaxPoses;
@@ -252,14 +256,19 @@ namespace Glint
 
         void SetScene(CrossSectionPose pose, CancellationToken cancel)
         {
-            _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
+            var ahead = _ahead;
+            _ahead = null;
+            _scene.Set(pose.Scene, new TraceStatistics(),
+                (mesh, layout) => ahead?.BvhOf(mesh) ?? MeshBvh.Build(mesh, layout, cancel));
             if (_scene.IsEmpty)
                 return;
             _scene.RequireOnePage(_owner, "a cross section takes");
+            if (ahead != null)
+                _surfaces.Know(pose.Scene, pose.CreaseDegrees, ahead.Patches());
             _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.CoefficientFrequency);
             if (pose.HasEdges)
                 _edges.Set(pose.Scene, _surfaces.Patches, _surfaces.Parts, _scene.Centre,
-                    TubeGrid.EdgePieceFor(pose));
+                    TubeGrid.EdgePieceFor(pose), ahead);
         }
 
         TubeGrid GridOf(CrossSectionPose pose) =>

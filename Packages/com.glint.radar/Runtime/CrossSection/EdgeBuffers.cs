@@ -25,14 +25,15 @@ namespace Glint
         /// <param name="parts">Of the scene.</param>
         /// <param name="centre">Origin of the kernels' coordinates.</param>
         /// <param name="maxLength">Of a piece, metres.</param>
+        /// <param name="ahead">What has been begun for this scene; may be null.</param>
         public void Set(RadarScene scene, IReadOnlyList<SurfacePatches> patches, SceneParts parts, double3 centre,
-            double maxLength)
+            double maxLength, SceneAhead ahead)
         {
             bool isSame = ReferenceEquals(patches, _patches);
             if (isSame && maxLength == _maxLength)
                 return;
             if (!isSame)
-                _wedges = WedgeFinder.Find(scene, patches, surface => surface.IsConductor);
+                _wedges = ahead?.WedgesOf(patches) ?? WedgesOf(scene, patches);
             // Rays bounce on the inside of a corner; its edge adds nothing.
             var pieces = _wedges.Wedges.Where(wedge => !wedge.IsConcave)
                 .SelectMany(wedge => PiecesOf(wedge, parts, centre, maxLength)).ToArray();
@@ -40,6 +41,10 @@ namespace Glint
             Pieces.Upload(pieces);
             (_patches, _maxLength) = (patches, maxLength);
         }
+
+        /// <summary>The wedges of a scene, of conductors.</summary>
+        public static WedgeSet WedgesOf(RadarScene scene, IReadOnlyList<SurfacePatches> patches) =>
+            WedgeFinder.Find(scene, patches, surface => surface.IsConductor);
 
         public void Dispose()
         {

@@ -53,6 +53,13 @@ namespace Glint
         public long Bytes => Vertices.Bytes + Sides.Bytes + Spheres.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes
             + Motions.Bytes + Reflections.Bytes;
 
+        /// <summary>Takes patches of a scene's instances that are found already.</summary>
+        public void Know(RadarScene scene, double creaseDegrees, SurfacePatches[] patches)
+        {
+            for (int i = 0; i < patches.Length; i++)
+                _patches[(scene.Instances[i].Mesh, creaseDegrees)] = (scene.Instances[i].Ranges, patches[i]);
+        }
+
         /// <summary>Uploads what has changed.</summary>
         /// <param name="frequency">Of the reflection coefficients, hertz.</param>
         public void Set(RadarScene scene, double3 centre, double creaseDegrees, double frequency)

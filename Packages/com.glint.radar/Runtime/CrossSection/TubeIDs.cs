@@ -41,6 +41,7 @@ namespace Glint
         public static readonly int _Corners = Shader.PropertyToID("_Corners");
         public static readonly int _FrequencyGroups = Shader.PropertyToID("_FrequencyGroups");
         public static readonly int _FrequenciesAGroup = Shader.PropertyToID("_FrequenciesAGroup");
+        public static readonly int _Bands = Shader.PropertyToID("_Bands");
         public static readonly int _SumCopies = Shader.PropertyToID("_SumCopies");
         public static readonly int _UnitsPerMetre = Shader.PropertyToID("_UnitsPerMetre");
         public static readonly int _UnitsPerSquareMetre = Shader.PropertyToID("_UnitsPerSquareMetre");

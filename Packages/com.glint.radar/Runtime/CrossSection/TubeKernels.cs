@@ -46,7 +46,9 @@ namespace Glint
         readonly DeviceBuffer<TubePose> _poses = new DeviceBuffer<TubePose>("poses");
         readonly DeviceBuffer<float4> _receivers = new DeviceBuffer<float4>("receivers");
         TubePose[] _slices;
-        readonly int _clearMarks, _mark, _outlines, _cover, _cells, _fringes, _points, _parts;
+        readonly DeviceBuffer<float4> _blocks = new DeviceBuffer<float4>("blocks of frequencies");
+        readonly int _clearMarks, _mark, _outlines, _cover, _cells, _fringes, _points, _parts, _bands;
+        bool _hasBands;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
@@ -62,6 +64,7 @@ namespace Glint
             _fringes = shader.FindKernel("TubeFringes");
             _points = shader.FindKernel("TubePoints");
             _parts = shader.FindKernel("TubeParts");
+            _bands = shader.FindKernel("TubeBands");
         }
 
         /// <summary>Sets the scene.</summary>
@@ -99,12 +102,26 @@ namespace Glint
             _shader.SetInt(TubeIDs._FadesShadows, pose.FadesShadows ? 1 : 0);
             _shader.SetInt(TubeIDs._OnlyBounce, pose.OnlyBounce);
             _shader.SetInt(TubeIDs._IsMoving, pose.IsMoving ? 1 : 0);
+            SetFrequencies(pose);
+        }
+
+        void SetFrequencies(CrossSectionPose pose)
+        {
             _shader.SetInt(TubeIDs._FrequencyCount, pose.Samples);
+            _hasBands = TubeBands.Hold(pose);
             int together = 1;
             while (together < pose.Samples && together < MaxFrequenciesAGroup)
                 together *= 2;
+            int groups = (pose.Samples + together - 1) / together;
+            if (_hasBands)
+            {
+                var blocks = TubeBands.Of(pose);
+                _blocks.Upload(blocks);
+                _shader.SetBuffer(_bands, TubeIDs._Bands, _blocks.Buffer);
+                groups = blocks.Length / TubeBands.Rows;
+            }
             _shader.SetInt(TubeIDs._FrequenciesAGroup, together);
-            _shader.SetInt(TubeIDs._FrequencyGroups, (pose.Samples + together - 1) / together);
+            _shader.SetInt(TubeIDs._FrequencyGroups, groups);
         }
 
         /// <summary>Sets what the receivers of poses have in common.</summary>
@@ -140,7 +157,7 @@ namespace Glint
         /// <summary>Sums S of all receivers and frequencies.</summary>
         public void SumAll()
         {
-            _rounds.SumBy(null);
+            _rounds.SumBy(_hasBands ? _bands : (int?)null);
             _shader.SetInt(TubeIDs._HasParts, 0);
         }
 
@@ -159,9 +176,9 @@ namespace Glint
         public void SetLists(TubeLists lists, DeviceBuffer<uint> tubeParts, DeviceBuffer<float4> tubeRates)
         {
             _rounds.SetLists(lists);
-            foreach (int kernel in _rounds.Kernels.Concat(new[] { _rounds.Summing, _fringes, _points, _parts }))
+            foreach (int kernel in _rounds.Kernels.Concat(new[] { _rounds.Summing, _fringes, _points, _parts, _bands }))
                 _shader.SetBuffer(kernel, TubeIDs._TubeRates, tubeRates.Buffer);
-            foreach (int kernel in new[] { _fringes, _points, _parts })
+            foreach (int kernel in new[] { _fringes, _points, _parts, _bands })
             {
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, lists.Output.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Tubes, lists.Tubes.Buffer);
@@ -169,7 +186,8 @@ namespace Glint
             }
             foreach (int kernel in _rounds.Kernels)
                 _shader.SetBuffer(kernel, TubeIDs._TubeParts, tubeParts.Buffer);
-            _shader.SetBuffer(_parts, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
+            foreach (int kernel in new[] { _parts, _bands })
+                _shader.SetBuffer(kernel, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
         }
 
         /// <summary>Words of the marks of a grid: lists of corners and sides a cell, the cover, a count of links.</summary>
@@ -280,6 +298,7 @@ namespace Glint
             _rounds.Dispose();
             _poses.Dispose();
             _receivers.Dispose();
+            _blocks.Dispose();
         }
     }
 }

@@ -21,6 +21,10 @@ namespace Glint
         // full is traced again in two.
         const int RaysAList = 3 << 20;
 
+        // A device takes a tenth of a second for the longest lists: they begin as long as the number of poses needs, and are
+        // doubled after so many slices.
+        const int PosesAList = 8, SlicesAFactor = 8;
+
         // Of the marks of all poses of a dispatch, for each of these lists: 64 MB.
         const long MarkWordsAList = 1 << 24;
 
@@ -32,6 +36,8 @@ namespace Glint
         readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
         readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of patches");
         readonly DispatchPacer _pacer = new DispatchPacer();
+        Action _bind;
+        int _factor = 1, _slicesOfFactor;
         long _maxCells;                    // of a slice
         uint[] _read;
 
@@ -42,7 +48,8 @@ namespace Glint
         /// <summary>
         /// Poses that a GPU traces together at most: as many as fill its lists. A single one fills a software device.
         /// </summary>
-        public static int MaxPoses => SoftwareDevice.IsInUse ? 1 : Math.Min(8 * (1 + ListFactor), TubeKernels.MaxPoses);
+        public static int MaxPoses => SoftwareDevice.IsInUse ? 1
+            : Math.Min(PosesAList * (1 + ListFactor), TubeKernels.MaxPoses);
 
         static int ListFactor => SoftwareDevice.IsInUse ? 1
             : math.clamp(SystemInfo.graphicsMemorySize / MebibytesAList, 1, MaxLists);
@@ -51,10 +58,10 @@ namespace Glint
         public int CellsADispatch { get; set; }
 
         // Tubes, border cells and rays beside outlines.
-        int Capacity => ListFactor * ListElements;
+        int Capacity => _factor * ListElements;
 
         // Times their bounces.
-        int Corners => (int)Math.Min(ListFactor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
+        int Corners => (int)Math.Min(_factor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
 
         /// <summary>Whether the marks of poses with a grid fit.</summary>
         public static bool FitsTogether(int poses, TubeGrid largest) =>
@@ -64,8 +71,14 @@ namespace Glint
         /// <inheritdoc cref="Bind"/>
         public void SumAll(TubeJob[] jobs, DeviceScene scene, SurfaceBuffers surfaces)
         {
-            Bind(jobs, scene, surfaces, TubeSums.OutputSize(jobs[0].Pose, jobs.Length), 1);
-            _kernels.SumAll();
+            _factor = Math.Min(ListFactor, Math.Max(_factor, 1 + (jobs.Length - 1) / PosesAList));
+            _slicesOfFactor = 0;
+            _bind = () =>
+            {
+                Bind(jobs, scene, surfaces, TubeSums.OutputSize(jobs[0].Pose, jobs.Length), () => 1);
+                _kernels.SumAll();
+            };
+            _bind();
         }
 
         /// <summary>Sets a pose, and what is summed: the parts of S at one receiver and frequency.</summary>
@@ -73,12 +86,18 @@ namespace Glint
         public void SumParts(TubeJob job, DeviceScene scene, SurfaceBuffers surfaces, PartSums sums, int receiver,
             int frequency)
         {
-            Bind(new[] { job }, scene, surfaces, sums.OutputSize, Capacity);
-            _kernels.SumParts(surfaces.Parts, receiver, frequency, TubeSums.OutputSize(job.Pose, 1));
+            _slicesOfFactor = 0;
+            _bind = () =>
+            {
+                Bind(new[] { job }, scene, surfaces, sums.OutputSize, () => Capacity);
+                _kernels.SumParts(surfaces.Parts, receiver, frequency, TubeSums.OutputSize(job.Pose, 1));
+            };
+            _bind();
         }
 
         /// <exception cref="GlintException">The device's memory does not suffice.</exception>
-        void Bind(TubeJob[] jobs, DeviceScene scene, SurfaceBuffers surfaces, int outputSize, int tubeParts)
+        void Bind(TubeJob[] jobs, DeviceScene scene, SurfaceBuffers surfaces, int outputSize,
+            Func<int> tubeParts)
         {
             var pose = jobs[0].Pose;
             _kernels.SetScene(scene, surfaces);
@@ -89,7 +108,7 @@ namespace Glint
             _lists.Reserve(outputSize, Capacity, CellCapacity(pose), Enumerable.Range(0, pose.Samples).Select(sample =>
                 TubeLists.WaveNumber(pose.PhaseFrequencyOf(sample), pose.TimeOf(sample))));
             _lists.ReserveRays(Corners, CornerCapacity(pose));
-            _tubeParts.Reserve(tubeParts);
+            _tubeParts.Reserve(tubeParts());
             _tubeRates.Reserve(pose.IsMoving ? Capacity : 1);
             _kernels.SetLists(_lists, _tubeParts, _tubeRates);
             int words = jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
@@ -112,6 +131,7 @@ namespace Glint
         /// <exception cref="GlintException">A single cell has too many parts.</exception>
         public void TraceSlice(TubeJob[] jobs, Action<uint[]> add)
         {
+            GrowLists();
             var pose = jobs[0].Pose;
             long most = Math.Min(jobs.Sum(job => job.Left), _maxCells);
             int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (most + TileCells - 1) / TileCells), pose.MaxBounces);
@@ -137,11 +157,20 @@ namespace Glint
             _maxCells = Math.Min(CornerCapacity(pose), _maxCells + _maxCells / 2);
         }
 
+        void GrowLists()
+        {
+            if (_slicesOfFactor++ < SlicesAFactor || _factor >= ListFactor)
+                return;
+            _factor = Math.Min(ListFactor, 2 * _factor);
+            _slicesOfFactor = 0;
+            _bind();
+        }
+
         // The next slice of each pose, cells in all at most.
         (long First, int Count)[] SlicesOf(TubeJob[] jobs, long max)
         {
             var slices = new (long First, int Count)[jobs.Length];
-            double rays = (double)ListFactor * RaysAList;
+            double rays = (double)_factor * RaysAList;
             int sum = 0;
             long corners = CornerCapacity(jobs[0].Pose);
             for (int i = 0; i < jobs.Length; i++)

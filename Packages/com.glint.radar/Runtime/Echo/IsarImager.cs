@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using System.Runtime.InteropServices;
+using System.Threading.Tasks;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -61,11 +62,12 @@ namespace Glint
         {
             int cells = profiles[first].Length;
             var all = new float2[count * cells];
-            for (int i = 0; i < all.Length; i++)
+            Parallel.For(0, count, look =>
             {
-                var cell = profiles[first + i / cells][i % cells];
-                all[i] = new float2((float)cell.Real, (float)cell.Imaginary);
-            }
+                var profile = profiles[first + look];
+                for (int i = 0; i < cells; i++)
+                    all[look * cells + i] = new float2((float)profile[i].Real, (float)profile[i].Imaginary);
+            });
             return all;
         }
 

@@ -233,6 +233,36 @@ public sealed class EchoCommandTests : EchoFixture
         Assert.That((double)data["scene"]["centre"][2], Is.EqualTo((1.2 - edge * Math.Sqrt(1.0 / 3)) / 2).Within(1e-3));
     }
 
+    /// <summary>Rows are an array; a killed run leaves whole ones and a part of another.</summary>
+    [Test]
+    public void Isar_CancelledOrInParts_EndsWithTheFilesOfAnUndisturbedOne()
+    {
+        string[] image = [At("plate.obj"), "--azimuth", "-3:3:0.5", "--frequencies", "16", "--bandwidth", "600e6",
+            "--tolerance", "0.5", "--pixel", "0.2"];
+        TestShell.Run(["isar", .. image, "--out", At("whole")]);
+        var line = CommandLine.Parse(Commands.Isar, [.. image, "--out", At("stopped")]);
+        Project.Open(Project.FindRoot(AppContext.BaseDirectory));
+        Assert.That(Batch.Execute(line, new CancelAfter(64)), Is.EqualTo(130));
+        using (var rows = File.OpenWrite(At("stopped/responses.npy")))
+            rows.SetLength(128 + 37 * 25 * 8 + 11);
+        var (_, output, _) = TestShell.Run(["isar", .. image, "--out", At("stopped"), "--resume"]);
+        Assert.That(output, Does.Contain("resumed: 37 of 208 rows are done"));
+        foreach (int number in new[] { 1, 2 })
+            TestShell.Run(["isar", .. image, "--shard", $"{number}/2", "--out", At($"{number}")]);
+        TestShell.Run("merge", At("1"), At("2"), "--out", At("merged"));
+        foreach (string folder in new[] { "stopped", "merged" })
+            foreach (string name in new[] { "responses.npy", "echo.npz" })
+                Assert.That(File.ReadAllBytes(At($"{folder}/{name}")),
+                    Is.EqualTo(File.ReadAllBytes(At($"whole/{name}"))), $"{folder}/{name}");
+        // The images of merged parts are those of the processor.
+        Assert.That(File.ReadAllBytes(At("stopped/image.csv")), Is.EqualTo(File.ReadAllBytes(At("whole/image.csv"))));
+        Assert.That(File.Exists(At("merged/image.csv")));
+        var written = JObject.Parse(File.ReadAllText(At("whole/results.json")));
+        Assert.That((string)written["rows"], Is.EqualTo("responses.npy"));
+        Assert.That((int)written["row_count"], Is.EqualTo(208));
+        Assert.That(((JObject)written["columns"]).Count, Is.EqualTo(25), "of the array, in its order");
+    }
+
     [TestCase("--azimuth is missing", "--out", "x")]
     [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "1")]
     [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "0,1,3")]

@@ -24,19 +24,19 @@ public sealed class GraphicsDeviceTests
     }
 
     [Test]
-    public void OpenAhead_GivesTheDeviceOfTheFirstUse()
+    public void BeginOpening_GivesTheDeviceOfTheFirstUse()
     {
-        GraphicsDevice.OpenAhead();
+        GraphicsDevice.BeginOpening();
         var device = GraphicsDevice.Current;
         Assert.That(device.Info, Is.EqualTo(VulkanDevice.List()[device.Info.Index]));
         Assert.That(GraphicsDevice.Current, Is.SameAs(device));
     }
 
     [Test]
-    public void OpenAhead_OfNoDevice_FailsAtTheFirstUseAndOnlyThere()
+    public void BeginOpening_OfNoDevice_FailsAtTheFirstUseAndOnlyThere()
     {
         Engine.DeviceSelector = "no such device";
-        GraphicsDevice.OpenAhead();
+        GraphicsDevice.BeginOpening();
         Assert.That(Assert.Throws<VulkanException>(() => _ = GraphicsDevice.Current).Message,
             Does.Contain("no such device"));
         Engine.DeviceSelector = _selector;
@@ -44,9 +44,9 @@ public sealed class GraphicsDeviceTests
     }
 
     [Test]
-    public void OpenAhead_OfAnotherDeviceThanIsUsed_IsClosed()
+    public void BeginOpening_OfAnotherDeviceThanIsUsed_IsClosed()
     {
-        GraphicsDevice.OpenAhead();
+        GraphicsDevice.BeginOpening();
         Engine.DeviceSelector = "0";
         Assert.That(GraphicsDevice.Current.Info.Index, Is.EqualTo(0));
     }
@@ -56,7 +56,7 @@ public sealed class GraphicsDeviceTests
     public void Close_OfADeviceThatNothingUsed_IsSilent(string selector)
     {
         Engine.DeviceSelector = selector;
-        GraphicsDevice.OpenAhead();
+        GraphicsDevice.BeginOpening();
         Assert.DoesNotThrow(GraphicsDevice.Close);
     }
 }

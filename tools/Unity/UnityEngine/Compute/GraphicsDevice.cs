@@ -11,8 +11,8 @@ public static class GraphicsDevice
 {
     static readonly ConcurrentQueue<(string Kind, GpuBuffer Buffer)> _leaked = new();
     static VulkanDevice _device;
-    static Task<VulkanDevice> _opening; // by OpenAhead, until the first use
     static string _selector;
+    static Task<VulkanDevice> _opening;
 
     /// <summary>
     /// The type that SystemInfo reports. Null, like Unity's -nographics: nothing can be created; all others use Vulkan.
@@ -39,24 +39,18 @@ public static class GraphicsDevice
         {
             if (IsNull)
                 throw new UnityException("there is no graphics device");
-            if (_device == null)
-                TakeOpened();
-            if (_device != null && _selector != Engine.DeviceSelector)
+            if ((_device != null || _opening != null) && _selector != Engine.DeviceSelector)
                 Close();
-            if (_device == null)
-            {
-                _device = VulkanDevice.Open(Engine.DeviceSelector);
-                _selector = Engine.DeviceSelector;
-            }
-            return _device;
+            BeginOpening();
+            return _device ??= Opened();
         }
     }
 
     /// <summary>
-    /// Opens the device on another thread, since a driver takes tenths of a second. The first use waits for it, and
-    /// has its exception.
+    /// Begins to open the device that <see cref="Engine.DeviceSelector"/> names on another thread: a driver takes a
+    /// fifth of a second. <see cref="Current"/> throws what it cannot.
     /// </summary>
-    public static void OpenAhead()
+    public static void BeginOpening()
     {
         if (IsNull || _device != null || _opening != null)
             return;
@@ -68,22 +62,18 @@ public static class GraphicsDevice
     public static void Close()
     {
         _leaked.Clear();
-        if (_opening is { } unused)
-        {
-            _opening = null;
-            // The exception of a device that nothing used is nobody's.
-            _device = unused.ContinueWith(open => open.IsCompletedSuccessfully ? open.Result : null,
-                TaskScheduler.Default).Result;
-        }
+        // One that could not be opened is not to be closed.
+        _opening?.ContinueWith(opening => opening.Exception == null ? opening.Result : null).Result?.Dispose();
+        _opening = null;
         _device?.Dispose();
         _device = null;
     }
 
-    static void TakeOpened()
+    static VulkanDevice Opened()
     {
         var opening = _opening;
         _opening = null;
-        _device = opening?.GetAwaiter().GetResult();
+        return opening.GetAwaiter().GetResult();
     }
 
     /// <summary>

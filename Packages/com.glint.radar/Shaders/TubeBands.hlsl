@@ -1,0 +1,224 @@
+#ifndef GLINT_TUBE_BANDS
+#define GLINT_TUBE_BANDS
+
+#include "TubeSums.hlsl"
+
+// Sums what the tubes radiate over bands of frequencies at equal steps. A group takes TUBES_A_GROUP tubes and a block of
+// neighbouring frequencies at one time. Over a block the shape of a tube is a parabola: a thread finds it from three
+// frequencies. Then each thread takes a frequency, and multiplies the shapes of all tubes by their phasors.
+
+StructuredBuffer<float4> _Bands;           // per block: first sample, frequencies, half of its width in steps, 0; its middle
+                                           // as an element of _WaveNumbers; the same of a step
+
+// Places of the outer frequencies of a parabola, in half widths: Chebyshev's.
+static const float BAND_NODE = 0.8660254;
+
+// Largest change over half a block of the phase between the middle of a piece and its ends, rad. The error of a parabola is
+// 1/24 of its third power, as a fraction of the area of the piece: -70 dB.
+static const float MAX_BAND_PHASE = 0.2;
+
+// Units of S that need no more than 31 bits.
+static const float MAX_BAND_UNITS = 1073741824.0;
+
+// Of a tube of the group: what it radiates over the block, beside its phasor, in units.
+static const uint WAVE_ROWS = 5;
+groupshared float4 s_waves[WAVE_ROWS * GLINT_GROUP];
+groupshared uint2 s_squares[GLINT_GROUP];  // squared error
+groupshared uint s_slots[GLINT_GROUP];     // slot of all poses
+
+static const uint BAND_SLOTS = 256;        // Tube.Tag has eight bits for them
+groupshared uint s_starts[BAND_SLOTS];     // of each slot the place of its first tube in s_order
+groupshared uint s_order[TUBES_A_GROUP];   // the tubes of the group by their slots
+
+static const uint EACH_FREQUENCY = 0x100;  // in s_slots: is to be evaluated at each frequency
+
+// Phase between the middle of a piece and its farthest end, rad.
+float PhaseExtent(Tube tube, float k, float2 w)
+{
+    uint count = tube.Tag >> 16;
+    if (count == EDGE_CORNERS)
+        return abs(0.5 * tube.Corners01.x * w.x);
+    if (count == 0)
+        return 0.5 * tube.Corners01.x * (abs(w.x) + abs(w.y)) + k * dot(abs(tube.Corners01.yzw), 1.0);
+    float4 extents = abs(float4(dot(w, tube.Corners01.xy), dot(w, tube.Corners01.zw), dot(w, tube.Corners23.xy),
+        dot(w, tube.Corners23.zw)));
+    return max(max(max(extents.x, extents.y), max(extents.z, extents.w)), abs(dot(w, tube.Corner4)));
+}
+
+// Largest magnitude of an amplitude of a tube.
+float LargestOf(Tube tube)
+{
+    float4 squares = float4(dot(tube.CoPolar.xy, tube.CoPolar.xy), dot(tube.CoPolar.zw, tube.CoPolar.zw),
+        dot(tube.CrossPolar.xy, tube.CrossPolar.xy), dot(tube.CrossPolar.zw, tube.CrossPolar.zw));
+    return sqrt(max(max(squares.x, squares.y), max(squares.z, squares.w)));
+}
+
+// Leaves to the group what a tube radiates over a block. Returns its element of s_slots.
+uint SetWave(uint thread, uint index, float4 size, float4 middle, float4 step)
+{
+    Tube tube = _Tubes[index];
+    float2 gradient = tube.Gradient;
+    DoubleFloat turnsPerMetre = MakeDoubleFloat(middle.y, middle.z), turns = Mul(turnsPerMetre, tube.Phase);
+    float metres = tube.Phase;
+    if (_IsMoving != 0)
+    {
+        float3 rate = _TubeRates[index].xyz;
+        turns = Add(turns, Mul(Mul(turnsPerMetre, middle.w), rate.z));
+        gradient += middle.w * rate.xy;
+        metres += middle.w * rate.z;
+    }
+    float2 before = 0.0, centre = 0.0, after = 0.0;
+    float error = 0.0, cancelled = 0.0;
+    [loop]
+    for (int node = -1; node <= 1; node++)
+    {
+        float k = middle.x + node * BAND_NODE * size.z * step.x;
+        Shape shape = ShapeOf(tube, k, k * gradient);
+        float2 wave = _UnitsPerMetre * shape.Scale * ComplexMul(shape.Integral, shape.Factor);
+        if (node < 0)
+            before = wave;
+        else if (node > 0)
+            after = wave;
+        else
+        {
+            centre = wave;
+            error = tube.Error * shape.Scale;
+            cancelled = shape.Cancelled;
+        }
+    }
+    // By steps from the middle.
+    float width = 1.0 / (BAND_NODE * size.z);
+    float2 slope = 0.5 * width * (after - before), curve = width * width * (0.5 * (after + before) - centre);
+    float2 vv = ComplexMul(centre, tube.CoPolar.xy), hh = ComplexMul(centre, tube.CoPolar.zw);
+    float2 bent = tube.Bent
+        * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + float2(_UnitsPerMetre * error * cancelled, 0.0));
+    Sum squares;
+    squares.Lower = 0;
+    squares.Upper = 0;
+    uint overflow = 0;
+    Accumulate(squares, SquaresOf(error, bent), overflow);
+    s_squares[thread] = uint2(squares.Lower, squares.Upper);
+    uint row = WAVE_ROWS * thread;
+    s_waves[row] = float4(PartOfTurn(turns), step.y * metres, bent);
+    s_waves[row + 1] = float4(centre, slope);
+    s_waves[row + 2] = float4(curve, 0.0, 0.0);
+    s_waves[row + 3] = tube.CoPolar;
+    s_waves[row + 4] = tube.CrossPolar;
+    float largest = LargestOf(tube)
+        * (length(centre) + size.z * length(slope) + size.z * size.z * length(curve)) + length(bent);
+    float phase = PhaseExtent(tube, middle.x, middle.x * gradient) * size.z * step.x / middle.x;
+    bool isEach = overflow != 0 || IsNaN(largest) || largest > MAX_BAND_UNITS || phase > MAX_BAND_PHASE;
+    return (tube.Tag & 0xff) | (isEach ? EACH_FREQUENCY : 0);
+}
+
+// Adds units that need no more than 31 bits.
+void AddSmall(inout Sum sum, float units)
+{
+    int whole = (int)round(units);
+    uint lower = (uint)whole;
+    sum.Lower += lower;
+    sum.Upper += (whole < 0 ? 0xffffffff : 0) + (sum.Lower < lower ? 1 : 0);
+}
+
+void AddSmall(inout Sum real, inout Sum imaginary, float2 units)
+{
+    AddSmall(real, units.x);
+    AddSmall(imaginary, units.y);
+}
+
+// Adds a tube of the group at a frequency, some steps from the middle of the block.
+void AddWave(inout Sum sums[11], uint tube, float steps)
+{
+    uint row = WAVE_ROWS * tube;
+    float4 path = s_waves[row], parabola = s_waves[row + 1];
+    float turns = path.x + steps * path.y;
+    float2 phasor = Phasor(turns - floor(turns));
+    float2 wave = ComplexMul(parabola.xy + steps * (parabola.zw + steps * s_waves[row + 2].xy), phasor);
+    float4 coPolar = s_waves[row + 3], crossPolar = s_waves[row + 4];
+    AddSmall(sums[0], sums[1], ComplexMul(wave, coPolar.xy));
+    AddSmall(sums[2], sums[3], ComplexMul(wave, crossPolar.xy));
+    AddSmall(sums[4], sums[5], ComplexMul(wave, crossPolar.zw));
+    AddSmall(sums[6], sums[7], ComplexMul(wave, coPolar.zw));
+    AddSmall(sums[8], sums[9], ComplexMul(phasor, path.zw));
+    uint2 squares = s_squares[tube];
+    sums[10].Lower += squares.x;
+    sums[10].Upper += squares.y + (sums[10].Lower < squares.x ? 1 : 0);
+}
+
+// Puts the tubes of the group into the order of their slots: tubes of several poses may lie in any order, and each change
+// of the slot takes an addition to all sums.
+void SortTubes(uint thread, uint2 tubes)
+{
+    for (uint i = thread; i < BAND_SLOTS; i += GLINT_GROUP)
+        s_starts[i] = 0;
+    GroupMemoryBarrierWithGroupSync();
+    uint part, place;
+    for (part = thread; part < TUBES_A_GROUP; part += GLINT_GROUP)
+        if (tubes.x + part < tubes.y)
+            InterlockedAdd(s_starts[_Tubes[tubes.x + part].Tag & 0xff], 1);
+    GroupMemoryBarrierWithGroupSync();
+    if (thread == 0)
+    {
+        uint sum = 0;
+        for (uint slot = 0; slot < _PoseCount * _SlotCount; slot++)
+        {
+            uint count = s_starts[slot];
+            s_starts[slot] = sum;
+            sum += count;
+        }
+    }
+    GroupMemoryBarrierWithGroupSync();
+    for (part = thread; part < TUBES_A_GROUP; part += GLINT_GROUP)
+        if (tubes.x + part < tubes.y)
+        {
+            InterlockedAdd(s_starts[_Tubes[tubes.x + part].Tag & 0xff], 1, place);
+            s_order[place] = tubes.x + part;
+        }
+}
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void TubeBands(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    float4 size = _Bands[BAND_ROWS * group.z], middle = _Bands[BAND_ROWS * group.z + 1],
+        step = _Bands[BAND_ROWS * group.z + 2];
+    uint number = thread % BAND_FREQUENCIES, share = thread / BAND_FREQUENCIES, shares = GLINT_GROUP / BAND_FREQUENCIES;
+    bool hasFrequency = number < (uint)size.y;
+    uint sample = (uint)size.x + min(number, (uint)size.y - 1);
+    float steps = number - 0.5 * (size.y - 1.0);
+    uint2 tubes = TubesOf(group);
+    uint copy = (group.x + group.y * GROUPS_A_ROW) % _SumCopies;
+    SortTubes(thread, tubes);
+    Sum sums[11];
+    Clear(sums);
+    uint overflow = 0, held = NO_SLOT;
+    [loop]
+    for (uint part = 0; part < TUBES_A_GROUP; part += GLINT_GROUP)
+    {
+        uint first = tubes.x + part;
+        GroupMemoryBarrierWithGroupSync();
+        if (first + thread < tubes.y)
+            s_slots[thread] = SetWave(thread, s_order[part + thread], size, middle, step);
+        GroupMemoryBarrierWithGroupSync();
+        uint count = hasFrequency && first < tubes.y ? min(GLINT_GROUP, tubes.y - first) : 0;
+        [loop]
+        for (uint i = share; i < count; i += shares)
+        {
+            uint slot = s_slots[i];
+            if ((slot & 0xff) != held)
+            {
+                AddSums(held, sample, copy, sums, overflow);
+                Clear(sums);
+                overflow = 0;
+                held = slot & 0xff;
+            }
+            uint index = s_order[part + i];
+            if ((slot & EACH_FREQUENCY) == 0)
+                AddWave(sums, i, steps);
+            else
+                AccumulateTube(sums, _Tubes[index], RadiationOf(_Tubes[index], index, _WaveNumbers[sample]), overflow);
+        }
+    }
+    AddSums(held, sample, copy, sums, overflow);
+}
+
+#endif
