@@ -27,7 +27,7 @@ groupshared uint2 s_squares[GLINT_GROUP];  // squared error
 groupshared uint s_slots[GLINT_GROUP];     // slot of all poses
 
 static const uint BAND_SLOTS = 256;        // Tube.Tag has eight bits for them
-groupshared uint s_starts[BAND_SLOTS];     // of each slot the place of its first tube in s_order
+groupshared uint s_places[BAND_SLOTS];     // of each slot the place of its first tube in s_order
 groupshared uint s_order[TUBES_A_GROUP];   // the tubes of the group by their slots
 
 static const uint EACH_FREQUENCY = 0x100;  // in s_slots: is to be evaluated at each frequency
@@ -54,26 +54,26 @@ float LargestOf(Tube tube)
 }
 
 // Leaves to the group what a tube radiates over a block. Returns its element of s_slots.
-uint SetWave(uint thread, uint index, float4 size, float4 middle, float4 step)
+uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
 {
     Tube tube = _Tubes[index];
     float2 gradient = tube.Gradient;
-    DoubleFloat turnsPerMetre = MakeDoubleFloat(middle.y, middle.z), turns = Mul(turnsPerMetre, tube.Phase);
+    DoubleFloat turnsPerMetre = MakeDoubleFloat(centre.y, centre.z), turns = Mul(turnsPerMetre, tube.Phase);
     float metres = tube.Phase;
     if (_IsMoving != 0)
     {
         float3 rate = _TubeRates[index].xyz;
-        turns = Add(turns, Mul(Mul(turnsPerMetre, middle.w), rate.z));
-        gradient += middle.w * rate.xy;
-        metres += middle.w * rate.z;
+        turns = Add(turns, Mul(Mul(turnsPerMetre, centre.w), rate.z));
+        gradient += centre.w * rate.xy;
+        metres += centre.w * rate.z;
     }
-    float2 before = 0.0, centre = 0.0, after = 0.0;
+    float2 before = 0.0, atCentre = 0.0, after = 0.0;
     float error = 0.0, cancelled = 0.0;
     [loop]
     for (int node = -1; node <= 1; node++)
     {
-        float k = middle.x + node * BAND_NODE * size.z * step.x;
-        Shape shape = ShapeOf(tube, k, k * gradient);
+        float k = centre.x + node * BAND_NODE * size.z * step.x;
+        TubeShape shape = ShapeOf(tube, k, k * gradient);
         float2 wave = _UnitsPerMetre * shape.Scale * ComplexMul(shape.Integral, shape.Factor);
         if (node < 0)
             before = wave;
@@ -81,15 +81,15 @@ uint SetWave(uint thread, uint index, float4 size, float4 middle, float4 step)
             after = wave;
         else
         {
-            centre = wave;
+            atCentre = wave;
             error = tube.Error * shape.Scale;
             cancelled = shape.Cancelled;
         }
     }
     // By steps from the middle.
     float width = 1.0 / (BAND_NODE * size.z);
-    float2 slope = 0.5 * width * (after - before), curve = width * width * (0.5 * (after + before) - centre);
-    float2 vv = ComplexMul(centre, tube.CoPolar.xy), hh = ComplexMul(centre, tube.CoPolar.zw);
+    float2 slope = 0.5 * width * (after - before), curve = width * width * (0.5 * (after + before) - atCentre);
+    float2 vv = ComplexMul(atCentre, tube.CoPolar.xy), hh = ComplexMul(atCentre, tube.CoPolar.zw);
     float2 bent = tube.Bent
         * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + float2(_UnitsPerMetre * error * cancelled, 0.0));
     Sum squares;
@@ -100,13 +100,13 @@ uint SetWave(uint thread, uint index, float4 size, float4 middle, float4 step)
     s_squares[thread] = uint2(squares.Lower, squares.Upper);
     uint row = WAVE_ROWS * thread;
     s_waves[row] = float4(PartOfTurn(turns), step.y * metres, bent);
-    s_waves[row + 1] = float4(centre, slope);
+    s_waves[row + 1] = float4(atCentre, slope);
     s_waves[row + 2] = float4(curve, 0.0, 0.0);
     s_waves[row + 3] = tube.CoPolar;
     s_waves[row + 4] = tube.CrossPolar;
     float largest = LargestOf(tube)
-        * (length(centre) + size.z * length(slope) + size.z * size.z * length(curve)) + length(bent);
-    float phase = PhaseExtent(tube, middle.x, middle.x * gradient) * size.z * step.x / middle.x;
+        * (length(atCentre) + size.z * length(slope) + size.z * size.z * length(curve)) + length(bent);
+    float phase = PhaseExtent(tube, centre.x, centre.x * gradient) * size.z * step.x / centre.x;
     bool isEach = overflow != 0 || IsNaN(largest) || largest > MAX_BAND_UNITS || phase > MAX_BAND_PHASE;
     return (tube.Tag & 0xff) | (isEach ? EACH_FREQUENCY : 0);
 }
@@ -150,20 +150,20 @@ void AddWave(inout Sum sums[11], uint tube, float steps)
 void SortTubes(uint thread, uint2 tubes)
 {
     for (uint i = thread; i < BAND_SLOTS; i += GLINT_GROUP)
-        s_starts[i] = 0;
+        s_places[i] = 0;
     GroupMemoryBarrierWithGroupSync();
     uint part, place;
     for (part = thread; part < TUBES_A_GROUP; part += GLINT_GROUP)
         if (tubes.x + part < tubes.y)
-            InterlockedAdd(s_starts[_Tubes[tubes.x + part].Tag & 0xff], 1);
+            InterlockedAdd(s_places[_Tubes[tubes.x + part].Tag & 0xff], 1);
     GroupMemoryBarrierWithGroupSync();
     if (thread == 0)
     {
         uint sum = 0;
         for (uint slot = 0; slot < _PoseCount * _SlotCount; slot++)
         {
-            uint count = s_starts[slot];
-            s_starts[slot] = sum;
+            uint count = s_places[slot];
+            s_places[slot] = sum;
             sum += count;
         }
     }
@@ -171,7 +171,7 @@ void SortTubes(uint thread, uint2 tubes)
     for (part = thread; part < TUBES_A_GROUP; part += GLINT_GROUP)
         if (tubes.x + part < tubes.y)
         {
-            InterlockedAdd(s_starts[_Tubes[tubes.x + part].Tag & 0xff], 1, place);
+            InterlockedAdd(s_places[_Tubes[tubes.x + part].Tag & 0xff], 1, place);
             s_order[place] = tubes.x + part;
         }
 }
@@ -179,7 +179,7 @@ void SortTubes(uint thread, uint2 tubes)
 [numthreads(GLINT_GROUP, 1, 1)]
 void TubeBands(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    float4 size = _Bands[BAND_ROWS * group.z], middle = _Bands[BAND_ROWS * group.z + 1],
+    float4 size = _Bands[BAND_ROWS * group.z], centre = _Bands[BAND_ROWS * group.z + 1],
         step = _Bands[BAND_ROWS * group.z + 2];
     uint number = thread % BAND_FREQUENCIES, share = thread / BAND_FREQUENCIES, shares = GLINT_GROUP / BAND_FREQUENCIES;
     bool hasFrequency = number < (uint)size.y;
@@ -197,7 +197,7 @@ void TubeBands(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         uint first = tubes.x + part;
         GroupMemoryBarrierWithGroupSync();
         if (first + thread < tubes.y)
-            s_slots[thread] = SetWave(thread, s_order[part + thread], size, middle, step);
+            s_slots[thread] = SetWave(thread, s_order[part + thread], size, centre, step);
         GroupMemoryBarrierWithGroupSync();
         uint count = hasFrequency && first < tubes.y ? min(GLINT_GROUP, tubes.y - first) : 0;
         [loop]

@@ -118,7 +118,7 @@ float2 PolygonIntegral(float2 corners[5], uint count, float2 w)
 }
 
 // What a tube radiates at a wave number, beside its phase.
-struct Shape
+struct TubeShape
 {
     float2 Integral;       // of exp(j phase) over the piece, base cells; of an edge m
     float2 Factor;         // that the coefficients do not contain
@@ -127,7 +127,7 @@ struct Shape
 };
 
 // w: k times the gradient, rad a base cell.
-Shape ShapeOf(Tube tube, float k, float2 w)
+TubeShape ShapeOf(Tube tube, float k, float2 w)
 {
     uint count = tube.Tag >> 16;
     bool isEdge = count == EDGE_CORNERS;
@@ -136,7 +136,7 @@ Shape ShapeOf(Tube tube, float k, float2 w)
 #else
     bool isPlain = isEdge;
 #endif
-    Shape shape;
+    TubeShape shape;
     // - j k / sqrt(4 pi), which the coefficients of edges contain
     shape.Scale = isPlain ? 1.0 : k / SQRT_4_PI;
     shape.Factor = isPlain ? float2(1.0, 0.0) : float2(0.0, -1.0);
@@ -179,7 +179,7 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
         w += k * waveNumber.w * rate.xy;
     }
 #endif
-    Shape shape = ShapeOf(tube, k, w);
+    TubeShape shape = ShapeOf(tube, k, w);
     float2 phasor = Phasor(PartOfTurn(phase));
     float2 wave = _UnitsPerMetre * shape.Scale * ComplexMul(ComplexMul(shape.Integral, phasor), shape.Factor);
     Radiation radiation;

@@ -24,7 +24,7 @@ namespace Glint
         const double MaxUnevenness = 1e-12;
 
         /// <summary>Whether the frequencies of a pose are a band: many, at equal steps.</summary>
-        public static bool Hold(CrossSectionPose pose)
+        public static bool IsBand(CrossSectionPose pose)
         {
             var frequencies = pose.Frequencies;
             if (frequencies.Length < MinFrequencies)

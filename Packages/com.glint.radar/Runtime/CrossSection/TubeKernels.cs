@@ -108,7 +108,7 @@ namespace Glint
         void SetFrequencies(CrossSectionPose pose)
         {
             _shader.SetInt(TubeIDs._FrequencyCount, pose.Samples);
-            _hasBands = TubeBands.Hold(pose);
+            _hasBands = TubeBands.IsBand(pose);
             int together = 1;
             while (together < pose.Samples && together < MaxFrequenciesAGroup)
                 together *= 2;
