@@ -1,7 +1,5 @@
-using Glint.Host;
 using Glint.Vulkan;
 using NUnit.Framework;
-using UnityEngine;
 
 namespace Glint.Host.Tests.Vulkan;
 
