@@ -191,7 +191,7 @@ namespace Glint.Tests
         {
             var pose = PoseOf(CrossSectionTargets.Trihedral(0.3, CrossSectionTargets.TrihedralFace.Triangular), 35, 20);
             pose.Scene = pose.Scene.MovingBy(new RigidMotion
-                { Velocity = new double3(3, 1, -2), AngularVelocity = new double3(0.1, -0.4, 0.2) });
+            { Velocity = new double3(3, 1, -2), AngularVelocity = new double3(0.1, -0.4, 0.2) });
             (pose.Frequencies, pose.Times, pose.HasEdges) = (frequencies, new[] { 0, time }, true);
             return pose;
         }

@@ -41,7 +41,6 @@ public static class GraphicsDevice
                 throw new UnityException("there is no graphics device");
             if ((_device != null || _opening != null) && _selector != Engine.DeviceSelector)
                 Close();
-            BeginOpening();
             return _device ??= Opened();
         }
     }
@@ -54,8 +53,8 @@ public static class GraphicsDevice
     {
         if (IsNull || _device != null || _opening != null)
             return;
-        string selector = _selector = Engine.DeviceSelector;
-        _opening = Task.Run(() => VulkanDevice.Open(selector));
+        _selector = Engine.DeviceSelector;
+        _opening = Open(_selector);
     }
 
     /// <summary>Closes the device and with it all buffers and programs.</summary>
@@ -69,8 +68,11 @@ public static class GraphicsDevice
         _device = null;
     }
 
+    static Task<VulkanDevice> Open(string selector) => Task.Run(() => VulkanDevice.Open(selector));
+
     static VulkanDevice Opened()
     {
+        BeginOpening();
         var opening = _opening;
         _opening = null;
         return opening.GetAwaiter().GetResult();
