@@ -49,8 +49,9 @@ bool FindBend(inout BorderBend bend, uint ray, Border border, uint signature)
     return (isBefore || signature == border.SignatureAfter) && (ray != 1 || isBeyond);
 }
 
-// What a cell that is summed as a whole has is taken from its corners. If the ray through its middle meets currents whose error is above
-// this many times the error that a cell may have, it is divided after all: its error would be the same in each attempt.
+// The error of a cell that is summed as a whole is that of its corners. If the ray through its middle meets currents
+// whose error is above this many times the error that a cell may have, it is divided after all: its error would be the
+// same in each attempt.
 static const float MAX_HIDDEN_ERROR = 8.0;
 
 // Whether the middle of a cell that is summed as a whole answers far more strongly than its corners.
