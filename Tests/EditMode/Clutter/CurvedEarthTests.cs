@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -81,6 +82,27 @@ namespace Glint.Tests
             Assert.That(setup.PoseOf(plan[0]).Scene, Is.SameAs(pose.Scene), "the same for all rows");
             setup.Range = double.PositiveInfinity;
             Assert.That(setup.PoseOf(plan[0]).Scene, Is.SameAs(scene));
+        }
+
+        // Edges are where the poses' scene has them: at 3 km half a metre lower than on a flat earth.
+        [Test]
+        public void FindAhead_OfACrossSectionAtARange_HasTheWedgesOfItsPoses()
+        {
+            var sea = new TestSea(10, 32, 32, 0);
+            var scene = new RadarScene(At(sea.Mesh, 0), At(CrossSectionTargets.Plate(1, 2), 3000))
+            {
+                Seas = new[] { new RadarSea(sea.Clutter, new[] { new SeaTileInstance(0, 0) }) }
+            };
+            var plan = new CrossSectionPlan(new[] { 0.0 }, new[] { 1.0 }, new[] { TenGigahertz });
+            var setup = new CrossSectionSetup(scene, plan) { Range = 5000 };
+            var ahead = setup.FindAhead().WedgesOf(setup.FoundPatches).Wedges;
+            var expected = EdgeBuffers.WedgesOf(setup.PoseOf(plan[0]).Scene, setup.FoundPatches).Wedges;
+            Assert.That(ahead.Select(wedge => (wedge.A, wedge.B)), Is.EqualTo(expected.Select(wedge => (wedge.A, wedge.B))));
+            var flat = EdgeBuffers.WedgesOf(scene, setup.FoundPatches).Wedges;
+            Assert.That(flat.Max(wedge => wedge.A.z), Is.GreaterThan(2000));
+            Assert.That(flat.Where(wedge => wedge.A.z > 2000).Max(wedge => wedge.A.y)
+                - ahead.Where(wedge => wedge.A.z > 2000).Max(wedge => wedge.A.y),
+                Is.EqualTo(ClutterGeometry.DropAt(3000)).Within(0.01));
         }
 
         // Wedges and patches of a sweep are found once.

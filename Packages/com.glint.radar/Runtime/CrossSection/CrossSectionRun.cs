@@ -52,7 +52,7 @@ namespace Glint
         {
             (_setup, _folder) = (setup, folder);
             string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
-            var ahead = new SceneAhead(setup.Scene, () => setup.FoundPatches, setup.HasEdges);
+            var ahead = setup.FindAhead();
             setup.Validate(subject);
             int rows = setup.Plan.Count;
             _first = shard?.First(rows) ?? 0;

@@ -121,6 +121,9 @@ namespace Glint
         /// <summary>The patches of each instance.</summary>
         internal SurfacePatches[] FoundPatches => _patches.Value;
 
+        /// <summary>Begins to find what takes longest in the scene of the poses.</summary>
+        internal SceneAhead FindAhead() => new SceneAhead(PlacedScene, () => FoundPatches, HasEdges);
+
         /// <summary>Warning of facets that are too coarse at the highest frequency; null if none are.</summary>
         /// <param name="subject">Name of what is computed.</param>
         public string CoarseMeshWarning(string subject)
