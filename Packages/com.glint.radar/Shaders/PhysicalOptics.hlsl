@@ -140,15 +140,6 @@ float3 RateTo(Receiver receiver, TubePath tube, SurfacePoint at)
         e - tube.Path.Ray.Direction, turnU, turnV);
 }
 
-// Largest magnitude of p.C times area a base cell of the four pairs of polarisations, m2.
-float MagnitudeOf(Tube tube)
-{
-    float2 co = max(tube.CoPolar.xy * tube.CoPolar.xy, tube.CoPolar.zw * tube.CoPolar.zw);
-    float2 cross = max(tube.CrossPolar.xy * tube.CrossPolar.xy, tube.CrossPolar.zw * tube.CrossPolar.zw);
-    float2 largest = max(co, cross);
-    return sqrt(largest.x + largest.y);
-}
-
 // Factor by which a phase gradient, m a base cell, makes the integral over part of a square of a side less than its area.
 float Thinning(float2 gradient, float side)
 {

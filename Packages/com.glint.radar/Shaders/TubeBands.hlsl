@@ -45,14 +45,6 @@ float PhaseExtent(Tube tube, float k, float2 w)
     return max(max(max(extents.x, extents.y), max(extents.z, extents.w)), abs(dot(w, tube.Corner4)));
 }
 
-// Largest magnitude of an amplitude of a tube.
-float LargestOf(Tube tube)
-{
-    float4 squares = float4(dot(tube.CoPolar.xy, tube.CoPolar.xy), dot(tube.CoPolar.zw, tube.CoPolar.zw),
-        dot(tube.CrossPolar.xy, tube.CrossPolar.xy), dot(tube.CrossPolar.zw, tube.CrossPolar.zw));
-    return sqrt(max(max(squares.x, squares.y), max(squares.z, squares.w)));
-}
-
 // Leaves to the group what a tube radiates over a block. Returns its element of s_slots.
 uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
 {
@@ -104,7 +96,7 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
     s_waves[row + 2] = float4(curve, 0.0, 0.0);
     s_waves[row + 3] = tube.CoPolar;
     s_waves[row + 4] = tube.CrossPolar;
-    float largest = LargestOf(tube)
+    float largest = MagnitudeOf(tube)
         * (length(atCentre) + size.z * length(slope) + size.z * size.z * length(curve)) + length(bent);
     float phase = PhaseExtent(tube, centre.x, centre.x * gradient) * size.z * step.x / centre.x;
     bool isEach = overflow != 0 || IsNaN(largest) || largest > MAX_BAND_UNITS || phase > MAX_BAND_PHASE;

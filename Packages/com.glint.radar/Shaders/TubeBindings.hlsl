@@ -70,6 +70,15 @@ struct Tube
     float Bent;           // relative error by the bent phase, at the highest frequency
 };
 
+// Largest magnitude of p.C times area a base cell of the four pairs of polarisations, m2.
+float MagnitudeOf(Tube tube)
+{
+    float2 co = max(tube.CoPolar.xy * tube.CoPolar.xy, tube.CoPolar.zw * tube.CoPolar.zw);
+    float2 cross = max(tube.CrossPolar.xy * tube.CrossPolar.xy, tube.CrossPolar.zw * tube.CrossPolar.zw);
+    float2 largest = max(co, cross);
+    return sqrt(largest.x + largest.y);
+}
+
 // A cell of the grid.
 struct Cell
 {

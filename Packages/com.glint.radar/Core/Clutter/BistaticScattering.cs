@@ -58,11 +58,8 @@ namespace Glint.Core
         /// <summary>The field that a mirror point receives of wave b in the polarisation of wave a; not symmetric.</summary>
         public Complex Mirrored(in SurfaceWave a, in SurfaceWave b)
         {
-            double3 middle = math.normalize(a.Towards + b.Towards), across = math.cross(middle, b.Towards);
-            double cosine = math.dot(middle, b.Towards), sine = math.length(across);
-            double3 s = sine > MinSine ? across / sine : b.Across(middle), p = math.cross(b.Towards, s),
-                mirrored = math.cross(s, a.Towards);
-            var q = Complex.Sqrt(_permittivity - (1 - cosine * cosine));
+            var (s, p, cosine, q) = Incidence(b, math.normalize(a.Towards + b.Towards));
+            double3 mirrored = math.cross(s, a.Towards);
             return (cosine - q) / (cosine + q) * b.Along(s) * a.Along(s)
                 + (_permittivity * cosine - q) / (_permittivity * cosine + q) * b.Along(p) * a.Along(mirrored);
         }
@@ -89,13 +86,20 @@ namespace Glint.Core
         // Of a direction along the normal.
         const double MinSine = 1e-9;
 
-        // Field of a wave and its reflection just above the surface.
-        (Complex X, Complex Y, Complex Z, Complex Normal) FieldOf(in SurfaceWave wave, double3 normal)
+        // Across the plane of incidence and in it, the cosine of the incidence, and the wave number in the water along the
+        // normal over that in air.
+        (double3 S, double3 P, double Cosine, Complex Q) Incidence(in SurfaceWave wave, double3 normal)
         {
             double3 across = math.cross(normal, wave.Towards);
             double cosine = math.dot(normal, wave.Towards), sine = math.length(across);
-            double3 s = sine > MinSine ? across / sine : wave.Across(normal), p = math.cross(wave.Towards, s);
-            var q = Complex.Sqrt(_permittivity - (1 - cosine * cosine));
+            double3 s = sine > MinSine ? across / sine : wave.Across(normal);
+            return (s, math.cross(wave.Towards, s), cosine, Complex.Sqrt(_permittivity - (1 - cosine * cosine)));
+        }
+
+        // Field of a wave and its reflection just above the surface.
+        (Complex X, Complex Y, Complex Z, Complex Normal) FieldOf(in SurfaceWave wave, double3 normal)
+        {
+            var (s, p, cosine, q) = Incidence(wave, normal);
             var vertical = _permittivity * cosine + q;
             double upwards = math.dot(p, normal);
             double3 level = p - upwards * normal;

@@ -22,7 +22,8 @@ namespace Glint.Core
         /// <summary>
         /// Floats of an element, in m2/m2: the products SS, PP, SP, SSPP of <see cref="FacetPower"/>, then SSSP and
         /// PPSP over the sine of twice the angle to the wind; sigma0 of breaking waves, whose row is over the incidence
-        /// on the mean sea, in the first column that of VV and HH, in the others that of HV; and the power of the wind with which Bragg scattering of the facet itself grows.
+        /// on the mean sea, in the first column that of VV and HH, in the others that of HV; and the power of the wind with
+        /// which Bragg scattering of the facet itself grows.
         /// </summary>
         public const int Stride = 8;
 

@@ -140,11 +140,14 @@ namespace Glint.Core
         /// <summary>What published models are asked for.</summary>
         /// <param name="frequency">Hz.</param>
         /// <param name="azimuthDegrees">As of <see cref="RadarAspect.At"/>.</param>
-        public ClutterConditions ConditionsAt(double frequency, double azimuthDegrees, double grazingDegrees)
+        public ClutterConditions ConditionsAt(double frequency, double azimuthDegrees, double grazingDegrees) =>
+            new ClutterConditions(frequency, grazingDegrees, SeaState, AngleBetween(azimuthDegrees, Wind));
+
+        // From a horizontal direction to that of the radar, degrees.
+        static double AngleBetween(double azimuthDegrees, double3 direction)
         {
-            double cosine = math.dot(RadarAspect.At(azimuthDegrees, 0).ToRadar, Wind);
-            return new ClutterConditions(frequency, grazingDegrees, SeaState,
-                math.degrees(Math.Acos(Math.Max(-1, Math.Min(1, cosine)))));
+            double cosine = math.dot(RadarAspect.At(azimuthDegrees, 0).ToRadar, direction);
+            return math.degrees(Math.Acos(Math.Max(-1, Math.Min(1, cosine))));
         }
 
         /// <summary>
@@ -159,8 +162,7 @@ namespace Glint.Core
             double turn = math.radians(waves.SwellDirectionDegrees - waves.WindDirectionDegrees), sine = Math.Sin(turn),
                 cosine = Math.Cos(turn);
             var swell = new double3(cosine * Wind.x + sine * Wind.z, 0, cosine * Wind.z - sine * Wind.x);
-            double along = math.dot(RadarAspect.At(azimuthDegrees, 0).ToRadar, swell);
-            return math.degrees(Math.Acos(Math.Max(-1, Math.Min(1, along))));
+            return AngleBetween(azimuthDegrees, swell);
         }
 
         /// <summary>
