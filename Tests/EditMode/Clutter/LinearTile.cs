@@ -34,10 +34,10 @@ namespace Glint.Tests
                 .Average(i => (double)mesh.Vertices[mesh.Indices[i]].y)).ToArray();
         }
 
-        /// <summary>Cells that the radar sees: their lines, their places along these, and their numbers.</summary>
+        /// <summary>Cells that the radar sees: their lines, positions along these, and numbers.</summary>
         /// <param name="grazing">deg.</param>
         /// <param name="isCross">The radar looks across the wind, along X; otherwise against it.</param>
-        public IEnumerable<(int Line, int Place, int Cell)> Lit(double grazing, bool isCross)
+        public IEnumerable<(int Line, int Position, int Cell)> Lit(double grazing, bool isCross)
         {
             double tangent = Math.Tan(math.radians(grazing));
             for (int line = 0; line < Cells; line++)
