@@ -45,7 +45,7 @@ uint CountOutlineRays(Cell cell, uint4 met)
     if (link == 0 || !HasAllSides())
         return 0;
     [loop]
-    for (; link != 0 && listed < MAX_LISTED_SIDES; listed++)
+    for (; link != 0 && listed < MAX_LISTED; listed++)
     {
         uint4 side = _Links[link - 1];
         if (RunsThrough(cell, side.x))
@@ -55,7 +55,7 @@ uint CountOutlineRays(Cell cell, uint4 met)
         }
         link = side.z;
     }
-    return through > MAX_SIDES || listed == MAX_LISTED_SIDES ? TOO_MANY_RAYS : rays;
+    return through > MAX_SIDES || listed == MAX_LISTED ? TOO_MANY_RAYS : rays;
 }
 
 // Lists these rays. centre: of the cell in _Centres.

@@ -47,18 +47,28 @@ Receiver ReceiverFrom(uint index, float3 position)
 // diffuse echo of its facets is what returns, and the edges of its facets are none of the water's.
 static const float MIN_SEA_MIRROR = 0.643;
 
-// Whether the current at a hit radiates to a receiver: that of the first bounce also makes the shadow behind the
-// surface, later ones do not pass through it.
-bool Radiates(TubePath tube, SurfacePoint at, Receiver receiver)
+bool IsFacing(SurfacePoint at, Receiver receiver)
+{
+    return dot(at.FacetNormal, receiver.Direction) > 0.0;
+}
+
+// Whether the current at a hit radiates to a receiver that nothing hides: that of the first bounce also makes the shadow
+// behind the surface, later ones do not pass through it.
+bool RadiatesInSight(TubePath tube, SurfacePoint at, Receiver receiver)
 {
     if (at.IsLost || !tube.HasMetTarget
         && dot(Mirrored(tube.Path.Ray.Direction, at.Normal), receiver.Direction) < MIN_SEA_MIRROR)
         return false;
-    bool isFacing = dot(at.FacetNormal, receiver.Direction) > 0.0, isFirst = tube.Path.Bounces == 1;
-    if (isFirst && (!isFacing || _IsMonostatic != 0))
-        return true;
-    if (!isFacing)
+    return tube.Path.Bounces == 1 || IsFacing(at, receiver);
+}
+
+// Whether the current at a hit radiates to a receiver.
+bool Radiates(TubePath tube, SurfacePoint at, Receiver receiver)
+{
+    if (!RadiatesInSight(tube, at, receiver))
         return false;
+    if (tube.Path.Bounces == 1 && (_IsMonostatic != 0 || !IsFacing(at, receiver)))
+        return true;
     Ray ray = (Ray)0;
     ray.Origin = at.NextStart;
     ray.Start = at.NextStart;

@@ -155,10 +155,11 @@ uint _FrequencyCount;
 float _UnitsPerSquareMetre;                // of sums of squared errors
 StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: float32 and its Lo part; time, s
 
+static const uint MAX_LISTED = 4096;       // elements of a list of a base cell that are read: of corners, of sides
+
 // Places where borders may turn, which rays through corners of cells can miss: corners of patches, relative to the scene's
 // centre, m. Each base cell has a list of those within half a cell of it.
 static const uint VERTEX_LINKS = 4;        // lists that a corner is in
-static const uint MAX_VERTICES = 32;       // of a list that is read
 uint _VertexCount;
 uint _MarkWords;                           // of a pose
 StructuredBuffer<float4> _Vertices;
@@ -171,7 +172,6 @@ StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or 
 // Each base cell has a list of those that run through it, behind the links of the corners.
 static const uint SIDE_ROWS = 3;
 static const uint MAX_SIDES = 8;           // beside which rays look: long loops end on a software device
-static const uint MAX_LISTED_SIDES = 4096; // of a list that is read
 uint _SideCount;
 uint _LinkCapacity;                        // of a pose
 StructuredBuffer<float4> _Sides;

@@ -90,7 +90,7 @@ bool HasVertex(Cell cell)
     uint link = _Marks[VertexWord(base)];
     bool isNear = false;
     [loop]
-    for (uint read = 0; read < MAX_VERTICES && link != 0 && !isNear; read++)
+    for (uint read = 0; read < MAX_LISTED && link != 0 && !isNear; read++)
     {
         uint4 vertex = _Links[link - 1];
         isNear = all(abs(asfloat(vertex.xy) - centre) <= side);

@@ -98,7 +98,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         Corner corner;
         corner.Signature = tube.Signature;
         corner.Bounces = 0;
-        corner.Strength = StrengthAt(tube, at, receivers)
+        // Of what is hidden from all receivers a part between the corners may be seen, and as strong.
+        corner.Strength = StrengthAt(tube, at, receivers != 0 ? receivers : ReceiversFaced(tube, at))
             * float2(1.0, BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin)));
         corner.Position = float4(tube.Path.Ray.Origin, tube.Path.RelativeLength);
         corner.AlongU = float4(tube.PlaceU, tube.LengthSlope.x);

@@ -15,6 +15,17 @@ uint ReceiversOf(TubePath tube, SurfacePoint at)
     return receivers;
 }
 
+// Who would receive it if nothing were in between.
+uint ReceiversFaced(TubePath tube, SurfacePoint at)
+{
+    uint receivers = 0;
+    [loop]
+    for (uint index = 0; index < _ReceiverCount; index++)
+        if (RadiatesInSight(tube, at, ReceiverFrom(index, tube.Path.Ray.Origin)))
+            receivers |= 1u << index;
+    return receivers;
+}
+
 // Relative error of a piece of a cell of a side of one by the curvatures of surface and wave at a hit: its phase is taken as
 // linear.
 float BentOf(TubePath tube, SurfacePoint at, Receiver receiver)

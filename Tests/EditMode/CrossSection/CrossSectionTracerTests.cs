@@ -225,6 +225,46 @@ namespace Glint.Tests
             Assert.That((fine.S[0, 0].VV - coarse.S[0, 0].VV).Magnitude, Is.LessThan(3 * coarse.Errors[0, 0]));
         }
 
+        // Of a dihedral's second bounces a receiver behind a face sees those beside its outline, a strip that begins with no
+        // width. The corners of cells on either side of it meet things that nobody sees.
+        [Test, Timeout(60000)]
+        public void Trace_StripSeenPastAFace_IsFound([Values(9.6e9, 10.4e9, 11.2e9)] double frequency)
+        {
+            var scene = new RadarScene(CrossSectionTargets.Dihedral(0.2, 0.15));
+            var pose = new CrossSectionPose
+            {
+                Scene = scene, Radar = Towards(0.23, -0.46, 0.86), Receivers = new[] { Towards(-0.92, 0.24, 0.3) },
+                Frequencies = new[] { frequency }, ToleranceDb = 0.3, HasEdges = false, OnlyBounce = 2
+            };
+            var settings = new TubeSettings { CellsPerWavelength = 16, MaxDepth = 6, MaxPhaseError = 0.02 };
+            var expected = new ReferenceCrossSection(scene).Compute(pose, settings)[0, 0];
+            var result = Tracer.Trace(pose);
+            Assert.That((result.S[0, 0].VV - expected.VV).Magnitude, Is.LessThan(3 * result.Errors[0, 0]));
+            Assert.That((result.S[0, 0].HH - expected.HH).Magnitude, Is.LessThan(3 * result.Errors[0, 0]));
+        }
+
+        // 256 plates of a square millimetre, whose 1,024 corners lie in a few cells of 30 mm, and one of the same area half a
+        // metre away. From their normal all are in phase: S = 2 sqrt(pi) A / wavelength.
+        [Test, Timeout(60000)]
+        public void Trace_ManyCornersInACell_MeetsTheTolerance()
+        {
+            const double small = 0.001;
+            MeshInstance PlateAt(double side, double y, double z) => new MeshInstance
+            {
+                Mesh = CrossSectionTargets.Plate(side, side),
+                ToWorld = new Affine { X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1),
+                    Origin = new double3(0, y, z) }
+            };
+            var plates = Enumerable.Range(0, 256).Select(i => PlateAt(small, 1.5 * small * (i % 16), 1.5 * small * (i / 16)))
+                .Append(PlateAt(16 * small, 0.3, 0.4));
+            var pose = PoseOf(CrossSectionTargets.Plate(1, 1), 0, 0);
+            pose.Scene = new RadarScene(plates.ToArray());
+            var result = Tracer.Trace(pose);
+            double expected = 2 * Math.Sqrt(Math.PI) * 512 * small * small / Signal.Wavelength(TenGigahertz);
+            Assert.That(result.S[0, 0].VV.Magnitude, Is.EqualTo(expected).Within(AllowedOf(pose, result.S[0, 0].VV)));
+            Assert.That(result.IsMet);
+        }
+
         [Test, Timeout(60000)]
         public void Trace_ToleranceOutOfReach_IsSaid()
         {
@@ -240,6 +280,9 @@ namespace Glint.Tests
             var pose = PoseOf(new TriangleMesh(new float3[0], new int[0]), 0, 0);
             Assert.That(Tracer.Trace(pose).S[0, 0].VV, Is.EqualTo(Complex.Zero));
         }
+
+        static RadarAspect Towards(double x, double y, double z) =>
+            RadarAspect.At(math.degrees(Math.Atan2(-x, -z)), math.degrees(Math.Asin(y / Math.Sqrt(x * x + y * y + z * z))));
 
         static CrossSectionPose PoseOf(TriangleMesh mesh, double phi, double elevation)
         {

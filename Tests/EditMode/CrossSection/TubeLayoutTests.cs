@@ -179,7 +179,7 @@ namespace Glint.Tests
         }
 
         static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "TUBE_UNCUT",
-            "TUBE_NEXT_CELLS", "TUBE_CENTRES", "TUBE_OUTLINES", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_VERTICES", "MAX_SIDES", "MAX_LISTED_SIDES",
+            "TUBE_NEXT_CELLS", "TUBE_CENTRES", "TUBE_OUTLINES", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_SIDES", "MAX_LISTED",
             "TUBE_POINTS" };
     }
 }

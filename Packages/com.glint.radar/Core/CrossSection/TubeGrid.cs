@@ -18,6 +18,10 @@ namespace Glint.Core
         /// </summary>
         public const double EdgeWavelengths = 0.5;
 
+        // Shift against the centre of the box, cells: on a grid with the symmetry of its target, errors of opposite borders
+        // are the same instead of independent. A grid has half a cell to spare on each side.
+        const double ShiftX = 0.31, ShiftY = -0.19;
+
         // Side of a cell of a camera's picture, most of which returns nothing: cells are divided where corners of
         // patches are, and where paths differ.
         const double PictureWavelengths = 4;
@@ -96,6 +100,8 @@ namespace Glint.Core
                 upper = math.max(math.abs(lower), math.abs(upper));
                 (lower, centre) = (-upper, 0);
             }
+            else
+                centre += Side * new double2(ShiftX, ShiftY);
             Cells = (int2)math.max(1, math.ceil((upper - lower) / Side + 1));
             double distance = pose.IsFar ? depth + Side : pose.Range;
             double height = Cells.y * Side;
