@@ -56,13 +56,14 @@ namespace Glint.Tests
             double Share(Func<Sample, bool> isOne) => samples.Count(isOne) / (double)samples.Length;
             TestContext.WriteLine(Table(samples));
             TestContext.WriteLine(string.Join("\n", samples.Where(sample => sample.Ratio > 3)));
-            // Complex errors that scatter by chance are within 1/3 and 3 in 89 %; those of symmetric bodies, whose parts err in
-            // pairs, in 74 %. What is above 3 has its causes in rcs.md.
-            Assert.That(Share(sample => sample.Ratio >= 1 / 3.0 && sample.Ratio <= 3), Is.GreaterThan(0.75));
-            Assert.That(Share(sample => sample.Ratio > 3), Is.LessThan(0.04));
+            // Shares of a part of the table scatter. What is above 3 has its causes in rcs.md.
+            double scatter = count < PosesOfABody ? 0.04 : 0;
+            Assert.That(Share(sample => sample.Ratio >= 1 / 3.0 && sample.Ratio <= 3), Is.GreaterThanOrEqualTo(0.8 - scatter));
+            Assert.That(Share(sample => sample.Ratio > 3), Is.LessThanOrEqualTo(0.01 + scatter));
             Assert.That(Share(sample => sample.Ratio > 10), Is.Zero);
             var met = samples.Where(sample => sample.IsMet).ToArray();
-            Assert.That(met.Count(sample => sample.True <= sample.Allowed), Is.GreaterThan(0.94 * met.Length));
+            Assert.That(met.Count(sample => sample.True <= sample.Allowed),
+                Is.GreaterThanOrEqualTo((0.95 - scatter) * met.Length));
         }
 
         static string Table(IEnumerable<Sample> samples) => string.Join("\n", samples.GroupBy(sample => sample.Target)
