@@ -23,8 +23,8 @@ namespace Glint.Editor
 
         /// <summary>Frequencies, hertz.</summary>
         public static readonly Option<double[]> Frequency = List("frequency", SweepAxis.Frequency.List, "10e9",
-            "Frequencies in hertz, as a range or list. One trace gives those within 10 %, "
-                + "unless a surface has a material.");
+            "Frequencies in hertz, as a range or list. One trace gives those within 10 %, fewer of a surface with a "
+                + "material.");
 
         /// <summary>Elements of the scattering matrix.</summary>
         public static readonly Option<Polarisation[]> Polarisations =
