@@ -67,7 +67,6 @@ TubePath BeginTube(float2 position)
         pose.OriginDepth * (size - 1.0));
     tube.PlaceU = pose.OriginDx.xyz;
     tube.PlaceV = pose.OriginDy.xyz;
-    tube.LengthSlope = pose.OriginDepth * float2(dot(d, pose.DirectionDx.xyz), dot(d, pose.DirectionDy.xyz));
     tube.DirectionU = (pose.DirectionDx.xyz - d * dot(d, pose.DirectionDx.xyz)) / size;
     tube.DirectionV = (pose.DirectionDy.xyz - d * dot(d, pose.DirectionDy.xyz)) / size;
     tube.V = normalize(pose.SentV.xyz - d * dot(d, pose.SentV.xyz));

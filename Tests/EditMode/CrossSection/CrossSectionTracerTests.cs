@@ -252,8 +252,11 @@ namespace Glint.Tests
             MeshInstance PlateAt(double side, double y, double z) => new MeshInstance
             {
                 Mesh = CrossSectionTargets.Plate(side, side),
-                ToWorld = new Affine { X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1),
-                    Origin = new double3(0, y, z) }
+                ToWorld = new Affine
+                {
+                    X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1),
+                    Origin = new double3(0, y, z)
+                }
             };
             var plates = Enumerable.Range(0, 256).Select(i => PlateAt(small, 1.5 * small * (i % 16), 1.5 * small * (i / 16)))
                 .Append(PlateAt(16 * small, 0.3, 0.4));

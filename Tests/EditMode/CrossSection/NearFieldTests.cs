@@ -41,21 +41,6 @@ namespace Glint.Tests
             }
         }
 
-        // Its phase is bent by as little over a cell as borders and strengths matter: cells stay whole as in the far field.
-        // A gradient that lacks the slope of the way from the radar takes a hundred times the rays.
-        [Test]
-        public void PlateAtARange_TakesAboutTheRaysOfTheFarField()
-        {
-            var radar = PublishedRow.Aspect(90, 0);
-            var pose = PoseOf(CrossSectionTargets.Plate(0.5, 0.5), 90, 0, radar);
-            (pose.Range, pose.ToleranceDb, pose.HasEdges) = (10, 0.02, false);
-            var near = Tracer.Trace(pose);
-            pose.Range = double.PositiveInfinity;
-            var far = Tracer.Trace(pose);
-            Assert.That(near.IsMet && far.IsMet);
-            Assert.That(near.Rays, Is.LessThan(3 * far.Rays));
-        }
-
         // Bounces between faces, what they hide, and edges.
         [TestCase(true)]
         [TestCase(false)]
