@@ -3,6 +3,7 @@
 
 #include "SeaMarch.hlsl"
 #include "SeaSigma.hlsl"
+#include "ScreenPattern.hlsl"
 
 // The diffuse echo of a sea's height field: one thread a facet, some facets a cell. A facet stands for the sea in its
 // part of the cell, with the slope of the field at its middle.
@@ -71,8 +72,8 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
         return;
     float sigma = SigmaOf(facet, toRadar) * range * width * depth / facet.Normal.y;
     float elevation = atan((rise + 2.0 * drop) / ground);
-    float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * exp(-_ScreenEcho.z * elevation * elevation) * sqrt(sigma)
-        / (range * range);
+    float field = ElevationField(elevation);
+    float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * field * field * sqrt(sigma) / (range * range);
     // Speckle decorrelates within a tenth of a second, long before the next turn.
     float2 number = SpeckleAt(int2(SEA_SPECKLE + (int)id.x, spoke), _ScreenSeaSeed, TurnAt(id.y)).xy;
     AddEcho(spoke, cell, amplitude * number);

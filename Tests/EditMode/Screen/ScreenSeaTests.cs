@@ -157,6 +157,8 @@ namespace Glint.Tests
         {
             Assert.That(ShaderConstants.Of("Screen.hlsl"), Is.EquivalentTo(
                 new Dictionary<string, double> { ["ECHO_UNITS"] = ScreenGeometry.UnitsOfNoise }));
+            Assert.That(ShaderConstants.Of("ScreenPattern.hlsl"), Is.EquivalentTo(
+                new Dictionary<string, double> { ["ELEVATION_STEPS"] = ScreenGeometry.ElevationSteps }));
             Assert.That(ShaderConstants.Of("ScreenPixel.hlsl"), Is.EquivalentTo(new Dictionary<string, double>
             {
                 ["SCREEN_PIXEL_SPOKES"] = ScreenPicture.MaxSpokes, ["TRAIL_SIDE"] = TrailMap.Side,

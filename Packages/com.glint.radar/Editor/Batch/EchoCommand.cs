@@ -168,6 +168,9 @@ namespace Glint.Editor
                     (IReadOnlyList<Complex>)new ArraySegment<Complex>(responses, pulse * frequencies, frequencies))
                         .ToArray());
             int cell = EchoPeak.Of(cells);
+            // HV and VH of a symmetric target have no highest place.
+            if (cells[cell] == Complex.Zero)
+                return $"{"-",10}{"-",10}" + (_doppler == null ? "" : $"{"-",10}");
             return $"{CrossSectionTable.Level(cells[cell]),10}"
                 + FormattableString.Invariant($"{_range.RangeOf(cell % _range.Cells),10:0.000}")
                 + (_doppler == null

@@ -302,7 +302,7 @@ namespace Glint.Editor
             catch (Exception problem) when (problem is FormatException || problem is IOException
                 || problem is UnauthorizedAccessException || problem is GlintException)
             {
-                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(path)}: {problem.Message}; give one of "
+                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(path)}: {problem.Message.TrimEnd('.')}; give one of "
                     + $"{string.Join(", ", EchoAntenna.Names)}, or a file with such a table");
             }
         }

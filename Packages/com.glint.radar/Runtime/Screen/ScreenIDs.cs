@@ -23,6 +23,10 @@ namespace Glint
         public static readonly int _ScreenWaves = Shader.PropertyToID("_ScreenWaves");
         public static readonly int _Echoes = Shader.PropertyToID("_Echoes");
         public static readonly int _BeamWeights = Shader.PropertyToID("_BeamWeights");
+        public static readonly int _ElevationField = Shader.PropertyToID("_ElevationField");
+        public static readonly int _ForeignPulses = Shader.PropertyToID("_ForeignPulses");
+        public static readonly int _ForeignRadars = Shader.PropertyToID("_ForeignRadars");
+        public static readonly int _BlindSector = Shader.PropertyToID("_BlindSector");
         public static readonly int _PulseWeights = Shader.PropertyToID("_PulseWeights");
         public static readonly int _PulseCells = Shader.PropertyToID("_PulseCells");
         public static readonly int _Signals = Shader.PropertyToID("_Signals");
