@@ -103,14 +103,13 @@ namespace Glint.Editor
         static IsarSettings ImageOf(CommandLine line, CrossSectionSetup setup, string name, IProgressSink progress)
         {
             var band = setup.Echo.BandOf(setup.Plan);
-            double[] looks = line.Get(CrossSectionOptions.Azimuth);
-            var image = EchoOptions.ImageOf(line, band, setup.Extent);
-            double bin = EchoOptions.CrossBin(band, looks), unambiguous = looks.Length * bin;
+            var image = EchoOptions.ImageOf(line, band, setup.Plan, setup.Extent);
+            double bin = EchoOptions.CrossBin(band, setup.Plan), unambiguous = setup.Plan.Poses * bin;
             progress.Print(FormattableString.Invariant(
                 $"image {image.Side:g5} m wide, {image.Pixels} x {image.Pixels} pixels, cross-range bin {bin:g4} m, unambiguous cross range {unambiguous:g5} m"));
             if (unambiguous < 2 * setup.Extent)
                 Debug.LogWarning(FormattableString.Invariant(
-                    $"{name}: the unambiguous cross range is {unambiguous:g4} m, but the target may take {2 * setup.Extent:g4} m: parts may be folded over others; give a smaller step for {CrossSectionOptions.Azimuth.Flag}"));
+                    $"{name}: the unambiguous cross range is {unambiguous:g4} m, but the target may take {2 * setup.Extent:g4} m: parts may be folded over others; give a smaller step for {(line.IsGiven(EchoOptions.Track) ? EchoOptions.Track : (Option)CrossSectionOptions.Azimuth).Flag}"));
             return image;
         }
 
