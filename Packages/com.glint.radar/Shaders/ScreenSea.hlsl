@@ -55,6 +55,8 @@ float SigmaOf(ScreenFacet facet, float3 toRadar)
     return facet.IsBreaking ? BreakingSigma(saturate(toRadar.y)).x : smooth;
 }
 
+#include "ScreenSeaLevels.hlsl"
+
 [numthreads(64, 1, 1)]
 void ScreenSea(uint3 id : SV_DispatchThreadID)
 {
@@ -63,6 +65,10 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
     if (cell >= _ScreenSize.y || range <= height)
         return;
     float ground = sqrt(range * range - height * height), width = TWO_PI / _ScreenSize.x;
+    // Waves only shorten what the earth leaves.
+    float2 highest = max(0.0, float2(height, SeaReach().y) - SeaReach().x);
+    if (ground > (sqrt(highest.x) + sqrt(highest.y)) * rsqrt(_SeaRadar.w))
+        return;
     float2 direction = SeaDirection((float)spoke / _ScreenSize.x), position = _SeaRadar.xz + ground * direction;
     // The vertical at the facet is turned by the curvature of the earth.
     float drop = _SeaRadar.w * ground * ground, rise = height - SeaHeight(position) - drop;
@@ -70,7 +76,8 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
     ScreenFacet facet = FacetAt(position);
     if (dot(facet.Normal, toRadar) <= 0.0 || !SeesSeaRadar(position, SEA_CLEARANCE))
         return;
-    float sigma = SigmaOf(facet, toRadar) * range * width * depth / facet.Normal.y;
+    float sigma = SigmaOf(facet, toRadar) * LevelOf((float)spoke / _ScreenSize.x, (height - drop) / range)
+        * range * width * depth / facet.Normal.y;
     float elevation = atan((rise + 2.0 * drop) / ground);
     float field = ElevationField(elevation);
     float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * field * field * sqrt(sigma) / (range * range);

@@ -71,6 +71,8 @@ namespace Glint.Tests
             // c / 2 over the range scale is 13,489 Hz.
             Refuses(radar => { radar.PulseRate = 13500; return radar; }, "use a rate of 13489 Hz at most");
             Refuses(radar => { radar.PulseRate = -1; return radar; }, "pulse rate -1 Hz must be from 0");
+            Refuses(radar => { radar.Pattern = (ScreenPattern)9; return radar; },
+                "no pattern 9: choose one of Gaussian, Sinc, Cosecant, Table");
             Refuses(radar => { radar.Pattern = ScreenPattern.Table; return radar; }, "there is none: give a Pattern Table");
             Refuses(radar => { radar.Pattern = ScreenPattern.Cosecant; return radar; }, "must lead away from 0");
             Refuses(radar => { radar.Power = 0; return radar; }, "power 0 W must be");

@@ -140,6 +140,9 @@ namespace Glint.Core
                 Require.Within(subject, measure, this);
             if ((Spokes & (Spokes - 1)) != 0)
                 throw new GlintException($"{subject}: spokes {Spokes} must be a power of two: 1024, 2048, 4096");
+            if (!Enum.IsDefined(typeof(ScreenPattern), Pattern))
+                throw new GlintException($"{subject}: there is no pattern {(int)Pattern}: choose one of "
+                    + string.Join(", ", Enum.GetNames(typeof(ScreenPattern))));
             if (Pattern != ScreenPattern.Table)
                 RequireSpokes(subject, BeamWidth);
             if (UnambiguousRange < RangeScale)

@@ -380,6 +380,10 @@ namespace Glint
             if (_ownShip != null)
                 FiniteCheck.RefuseNotFinite(_ownShip, Subject);
             _compass = Compass.Find(Subject);
+            double height = transform.position.y - SeaLevel;
+            if (height < 0)
+                Debug.LogWarning(FormattableString.Invariant(
+                    $"{Subject}: its antenna is {-height:0.##} m below the mean level of the sea, which hides nearly everything: move it up, or the sea down"), this);
             _tracer = new ScreenTracer(_kernel, Subject, _radar, TableText);
             _turns = _headingTurns = Heading();
             _madeOf = (_sea, _kernel, _seaKernel, _patternTable);

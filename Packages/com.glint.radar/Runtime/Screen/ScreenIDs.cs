@@ -14,6 +14,8 @@ namespace Glint
         public static readonly int _ScreenSea = Shader.PropertyToID("_ScreenSea");
         public static readonly int _ScreenSeaSeed = Shader.PropertyToID("_ScreenSeaSeed");
         public static readonly int _ScreenSeaCorner = Shader.PropertyToID("_ScreenSeaCorner");
+        public static readonly int _SeaMeanView = Shader.PropertyToID("_SeaMeanView");
+        public static readonly int _SeaMeans = Shader.PropertyToID("_SeaMeans");
         public static readonly int _SurfaceSamples = Shader.PropertyToID("_SurfaceSamples");
         public static readonly int _SurfaceSampleCount = Shader.PropertyToID("_SurfaceSampleCount");
         public static readonly int _SurfaceFrames = Shader.PropertyToID("_SurfaceFrames");
