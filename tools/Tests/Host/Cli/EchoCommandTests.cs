@@ -348,6 +348,31 @@ public sealed class EchoCommandTests : EchoFixture
         Assert.That(File.ReadAllBytes(At("profile.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
     }
 
+    /// <summary>SciPy reads the arrays of echo.npz in echo.mat, and NumPy the profiles in the SigMF recording.</summary>
+    [Test]
+    [Platform("Linux")]
+    public void Matlab_AndSigMf_AreReadByOtherPrograms()
+    {
+        Run(At("plate.obj"), "--azimuth", "0,10", "--frequencies", "16", "--polarisation", "vv,hh", "--tolerance",
+            "0.5", "--pulses", "4", "--velocity", "0,0,-1", "--mat", "--sigmf", "--out", At("."));
+        string output = PythonExample.RunText("""
+            import json
+            import numpy as np
+            import scipy.io
+            arrays, matlab = np.load("echo.npz"), scipy.io.loadmat("echo.mat")
+            for name in arrays.files:
+                assert np.array_equal(np.squeeze(arrays[name]), np.squeeze(matlab[name]), equal_nan=True), name
+            meta = json.load(open("echo.sigmf-meta"))
+            assert meta["global"]["core:datatype"] == "cf32_le" and meta["global"]["core:version"]
+            samples = np.fromfile("echo.sigmf-data", "<c8")
+            starts = [capture["core:sample_start"] for capture in meta["captures"]]
+            first = samples[starts[0]:starts[1]]
+            assert np.array_equal(first, arrays["profile"][0, 0, 0, 0].astype("<c8"))
+            print(len(arrays.files), len(starts), len(samples) == starts[-1] + len(first))
+            """, "/usr/bin/python3", At("."));
+        Assert.That(output, Does.Match(@"^\d+ 16 True\n$"), "2 directions, 2 polarisations, 4 pulses");
+    }
+
     void AssertSame(string folder)
     {
         string[] names = ["responses.csv", "profile.csv", "echo.npz", "echo.sigmf-data", "echo.sigmf-meta"];
