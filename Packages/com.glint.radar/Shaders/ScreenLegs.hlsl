@@ -22,7 +22,7 @@ struct Leg
     float Range;           // its length
     float Ground;          // its horizontal length
     float Turns;           // true bearing
-    float Gain;            // field of the vertical pattern and of the sea's interference one way, over range
+    float Gain;            // field of the vertical pattern, the rain and the sea's interference one way, over range
 };
 
 // From the scene's axes to east, up, north.
@@ -77,7 +77,7 @@ Leg LegTo(float3 position)
     leg.Ground = length(leg.Offset.xz);
     leg.Turns = TurnsTo(leg.Offset);
     float elevation = atan2(HeightOverTangent(leg.Offset.y, leg.Ground), leg.Ground);
-    leg.Gain = ElevationField(elevation)
+    leg.Gain = ElevationField(elevation) * exp(-_RainLoss * leg.Range)
         * SeaInterference(_ScreenAntenna.w + leg.Offset.y, leg.Ground) / leg.Range;
     return leg;
 }

@@ -79,7 +79,7 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
     float sigma = SigmaOf(facet, toRadar) * LevelOf((float)spoke / _ScreenSize.x, (height - drop) / range)
         * range * width * depth / facet.Normal.y;
     float elevation = atan((rise + 2.0 * drop) / ground);
-    float field = ElevationField(elevation);
+    float field = ElevationField(elevation) * exp(-_RainLoss * range);
     float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * field * field * sqrt(sigma) / (range * range);
     // Speckle decorrelates within a tenth of a second, long before the next turn.
     float2 number = SpeckleAt(int2(SEA_SPECKLE + (int)id.x, spoke), _ScreenSeaSeed, TurnAt(id.y)).xy;

@@ -70,7 +70,8 @@ void AddPath(Path path, Leg first, Leg last, float section, uint spoke, uint num
         return;
     float phase = SpeckleHash(uint4(number, path.Bounces, _ScreenSize.w, PHASE_HASH)).x / 4294967296.0
         + frac(whole * _ScreenWaves.x);
-    float amplitude = _ScreenEcho.y * sqrt(section) * first.Gain * last.Gain * BeamBetween(first, last);
+    float amplitude = _ScreenEcho.y * sqrt(section) * first.Gain * last.Gain * BeamBetween(first, last)
+        * exp(-_RainLoss * path.RelativeLength);
     AddEcho(spoke, (uint)cells, amplitude * Phasor(frac(phase)));
 }
 

@@ -46,11 +46,12 @@ namespace Glint.Core
         public double Range { get; }
 
         /// <summary>Directions to a place and its distance: azimuth and elevation in degrees, metres.</summary>
-        public (double azimuth, double elevation, double range) this[int place]
+        /// <param name="index">Of the place.</param>
+        public (double azimuth, double elevation, double range) this[int index]
         {
             get
             {
-                double elevation = math.radians(ElevationDegrees), along = _places[place],
+                double elevation = math.radians(ElevationDegrees), along = _places[index],
                     ground = Range * Math.Cos(elevation), range = math.length(new double2(Range, along));
                 return (AzimuthDegrees - math.degrees(Math.Atan2(along, ground)),
                     math.degrees(Math.Asin(Range * Math.Sin(elevation) / range)), range);

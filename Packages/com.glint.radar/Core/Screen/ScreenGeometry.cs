@@ -55,6 +55,8 @@ namespace Glint.Core
             FillFactor = Math.Sqrt(2.0 / 3 * PulseLength / CellSize * NoiseGain);
             AmplitudeAtOne = Amplitude(1, 1, 0);
             RainAmplitude = RainOf(radar);
+            RainLoss = Math.Log(10) / 20 / 1000 * RainAttenuation.DecibelsAKilometre(radar.Frequency, radar.RainRate,
+                radar.Polarisation == ScreenPolarisation.Horizontal);
         }
 
         /// <summary>The settings.</summary>
@@ -117,6 +119,9 @@ namespace Glint.Core
         /// </summary>
         public double RainAmplitude { get; }
 
+        /// <summary>A field falls in the rain with exp(-this way), the way one way in metres.</summary>
+        public double RainLoss { get; }
+
         /// <summary>The spoke of an offset from the antenna, metres: x to the east, z to the north.</summary>
         public int SpokeOf(double3 offset) => SpokeOf(Math.Atan2(offset.x, offset.z) / (2 * Math.PI));
 
@@ -150,7 +155,7 @@ namespace Glint.Core
                 Spoke = SpokeOf(way)
             };
             double amplitude = Amplitude(section, range, Math.Atan2(way.y - ClutterGeometry.DropAt(distance), distance))
-                * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);
+                * Math.Exp(-2 * RainLoss * range) * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);
             double phase = 2 * _waveNumber * range;
             point.Amplitude = (float)amplitude;
             point.Field = (float2)new double2(amplitude * Math.Cos(phase), amplitude * Math.Sin(phase));

@@ -51,7 +51,7 @@ namespace Glint.Core
                 "Amplitude of the image of a reflector in a smooth sea, which interferes with the direct echo. "
                     + "0: none." },
             { nameof(RainRate), it => it.RainRate, "Rain", "mm/h", Interval.Closed(0, 100),
-                "Rain around the radar: its echo, without attenuation." },
+                "Rain around the radar: its echo, and what it takes from all others." },
             { nameof(Seed), it => it.Seed, "Seed", "", Interval.Closed(0, int.MaxValue),
                 "Seed of noise and speckle. The same number gives the same picture." }
         };

@@ -9,6 +9,7 @@ namespace Glint
         public static readonly int _ScreenSlice = Shader.PropertyToID("_ScreenSlice");
         public static readonly int _Echo = Shader.PropertyToID("_Echo");
         public static readonly int _ScreenEcho = Shader.PropertyToID("_ScreenEcho");
+        public static readonly int _RainLoss = Shader.PropertyToID("_RainLoss");
         public static readonly int _ScreenPoints = Shader.PropertyToID("_ScreenPoints");
         public static readonly int _ScreenPointCount = Shader.PropertyToID("_ScreenPointCount");
         public static readonly int _ScreenSea = Shader.PropertyToID("_ScreenSea");

@@ -130,6 +130,7 @@ namespace Glint
                 (float)Geometry.AmplitudeAtOne,
                 (float)Math.Min(float.MaxValue, Geometry.Radar.UnambiguousRange / Geometry.CellSize),
                 (float)Geometry.RainAmplitude));
+            _shader.SetFloat(ScreenIDs._RainLoss, (float)Geometry.RainLoss);
             _shader.SetBuffer(_clear, ScreenIDs._Echo, Echo.Buffer);
             Dispatch(_clear, 2 * Geometry.Radar.Cells, _current.Traced);
         }
