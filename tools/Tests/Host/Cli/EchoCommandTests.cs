@@ -328,6 +328,15 @@ public sealed class EchoCommandTests : EchoFixture
     public void Input_ThatCannotBeComputed_IsRefusedBeforeAnyFile(int code, string message, params string[] options) =>
         AssertRefused(code, message, options);
 
+    // Of an upright plate before the radar HV and VH are 0.
+    [Test]
+    public void Table_OfAPolarisationWithoutAnEcho_HasNoRange()
+    {
+        string output = Run(At("plate.obj"), "--frequencies", "16", "--tolerance", "0.5", "--edges", "off", "--out",
+            At("echo"));
+        Assert.That(output, Does.Match(@"(?m)^ +0 +0 +1[67]\.\d+ +2\.\d+ +- +- +- +- +1[67]\.\d+ +2\.\d+ "));
+    }
+
     [Test]
     public void Frequencies_TooFewForTheTarget_AreWarnedOf()
     {
