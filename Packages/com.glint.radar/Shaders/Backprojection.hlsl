@@ -14,7 +14,8 @@ struct Look
     float4 Cells;          // of the profile, as Turns
     float2 CentreCell;     // of the image, with its Lo part
     float Weight;
-    uint Unused;
+    float Range;           // from the middle to the radar, pixels; 0: the wave is plane
+    float4 Bend;           // range of a plane wave a pixel down range and cross range, pixels; cells and turns of a pixel
 };
 
 static const uint BACKPROJECTION_GROUP = 64;
@@ -27,6 +28,14 @@ uint4 _ImageSize;                          // pixels along a side; cells of a pr
 DoubleFloat Along(float4 steps, float2 position)
 {
     return Add(Mul(MakeDoubleFloat(steps.x, steps.y), position.x), Mul(MakeDoubleFloat(steps.z, steps.w), position.y));
+}
+
+// Pixels by which a place is further away than for a plane wave.
+float Curvature(Look look, float2 position)
+{
+    float away = dot(position, look.Bend.xy), ahead = look.Range + away;
+    float across = max(0.0, dot(position, position) - away * away);
+    return look.Range == 0.0 ? 0.0 : across / (ahead + sqrt(ahead * ahead + across));
 }
 
 [numthreads(BACKPROJECTION_GROUP, 1, 1)]
@@ -42,14 +51,17 @@ void Backproject(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     for (uint i = 0; i < _ImageSize.z; i++)
     {
         Look look = _Looks[i];
+        float bend = Curvature(look, position);
         DoubleFloat cell = Add(Along(look.Cells, position), MakeDoubleFloat(look.CentreCell.x, look.CentreCell.y));
+        cell = Add(cell, MakeDoubleFloat(look.Bend.z * bend, 0.0));
         float first = floor(cell.Hi), part = (cell.Hi - first) + cell.Lo, step = floor(part);
         int at = (int)first + (int)step;
         if (at < 0 || at + 1 >= (int)_ImageSize.y)
             continue;
         uint element = i * _ImageSize.y + at;
         float2 value = look.Weight * lerp(_Profiles[element], _Profiles[element + 1], part - step);
-        float2 wave = Phasor(PartOfTurn(Along(look.Turns, position)));
+        DoubleFloat turns = Add(Along(look.Turns, position), MakeDoubleFloat(look.Bend.w * bend, 0.0));
+        float2 wave = Phasor(PartOfTurn(turns));
         sum += float2(value.x * wave.x - value.y * wave.y, value.x * wave.y + value.y * wave.x);
     }
     _Image[pixel] = sum;

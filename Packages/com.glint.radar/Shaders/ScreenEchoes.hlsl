@@ -10,8 +10,10 @@
 // element 2 (spoke cells + cell). The beam and the pulse are applied later.
 RWStructuredBuffer<int> _Echo;
 
-float4 _ScreenEcho;                        // size of a cell, m; amplitude of 1 m2 at 1 m, in units; 4 ln 2 over the
-                                           // square of the beam's height, 1/rad2; amplitude of rain times cells of range
+float4 _ScreenEcho;                        // size of a cell, m; amplitude of 1 m2 at 1 m, in units; cells after which
+                                           // the next pulse leaves; amplitude of rain times cells of range
+float _RainLoss;                           // exponent of a field in the rain, 1/m
+
 // Of one echo: 112 dB over noise. A sum of 32 bits holds 85 of them.
 static const float MAX_UNITS = 2.5e7;
 
@@ -21,6 +23,12 @@ void AddEcho(uint spoke, uint cell, float2 field)
     uint element = 2 * (spoke * _ScreenSize.y + cell);
     InterlockedAdd(_Echo[element], units.x);
     InterlockedAdd(_Echo[element + 1], units.y);
+}
+
+// The place at which an echo is shown, in cells: that after the last pulse. cells: after its own.
+float ShownCell(float cells)
+{
+    return cells - _ScreenEcho.z * floor(cells / _ScreenEcho.z);
 }
 
 #if !defined(GLINT_SCREEN_SEA)
@@ -41,7 +49,8 @@ void ScreenRain(uint3 id : SV_DispatchThreadID)
     uint spoke = SpokeAt(id.y);
     // Drops move by more than a wavelength between turns. The noise has other cells: those from 0.
     float2 number = SpeckleAt(int2(-1 - (int)id.x, spoke), _ScreenSize.w, TurnAt(id.y)).xy;
-    AddEcho(spoke, id.x, _ScreenEcho.w / (id.x + 0.5) * number);
+    float cells = id.x + 0.5;
+    AddEcho(spoke, id.x, _ScreenEcho.w / cells * exp(-2.0 * _RainLoss * _ScreenEcho.x * cells) * number);
 }
 
 #endif

@@ -2,6 +2,7 @@
 #define GLINT_SCREEN_LEGS
 
 #include "Trigonometry.hlsl"
+#include "ScreenPattern.hlsl"
 
 // The way from the antenna to a place of the scene: Core/Screen/ScreenGeometry.cs has the same of a point, in double
 // precision.
@@ -21,7 +22,7 @@ struct Leg
     float Range;           // its length
     float Ground;          // its horizontal length
     float Turns;           // true bearing
-    float Gain;            // field of the vertical pattern and of the sea's interference one way, over range
+    float Gain;            // field of the vertical pattern, the rain and the sea's interference one way, over range
 };
 
 // From the scene's axes to east, up, north.
@@ -76,7 +77,7 @@ Leg LegTo(float3 position)
     leg.Ground = length(leg.Offset.xz);
     leg.Turns = TurnsTo(leg.Offset);
     float elevation = atan2(HeightOverTangent(leg.Offset.y, leg.Ground), leg.Ground);
-    leg.Gain = exp(-0.5 * _ScreenEcho.z * elevation * elevation)
+    leg.Gain = ElevationField(elevation) * exp(-_RainLoss * leg.Range)
         * SeaInterference(_ScreenAntenna.w + leg.Offset.y, leg.Ground) / leg.Range;
     return leg;
 }
@@ -91,7 +92,7 @@ bool IsBehindHorizon(Leg leg)
     return leg.Ground > DistanceToHorizon(_ScreenAntenna.w) + DistanceToHorizon(_ScreenAntenna.w + leg.Offset.y);
 }
 
-// What the beam's two ways lose where a path comes back from another bearing than that to which it left.
+// What the two ways of a Gaussian beam lose where a path comes back from another bearing than that to which it left.
 float BeamBetween(Leg first, Leg last)
 {
     float turns = first.Turns - last.Turns, angle = TWO_PI * (turns - round(turns));

@@ -7,7 +7,8 @@
 // From the echoes of a spoke to its video. A row of threads has the cells of a spoke.
 
 StructuredBuffer<int> _Echoes;             // _Echo of ScreenEchoes.hlsl
-StructuredBuffer<float> _BeamWeights;      // by the distance in spokes
+StructuredBuffer<float> _BeamWeights;      // of the spokes from the left to the right end of the beam
+StructuredBuffer<float4> _ForeignPulses;   // ScreenInterference.PulsesOf, radar by radar of the spokes of this dispatch
 StructuredBuffer<float> _PulseWeights;     // by the distance in cells
 RWStructuredBuffer<float2> _Signals;       // of the spokes of this dispatch: field before the pulse's weights
 RWStructuredBuffer<float> _Levels;         // of a turn: dB over noise
@@ -17,12 +18,34 @@ float4 _Receiver;                          // gain, dB; 1 / dynamic range, 1/dB;
                                            // power of the noise before the pulse's weights, over that behind them
 float4 _ReceiverFilters;                   // shares of rain and clutter filter; what persistence leaves of video a turn
 uint _PulseCells;                          // weights of the pulse
+uint _ForeignRadars;                       // for each spoke in _ForeignPulses
+float4 _BlindSector;                       // left end and width of the bearings in which nothing is sent, turns
 
 static const float SMALLEST_POWER = 1.0e-6;
 static const float DECIBELS = 4.34294481903; // of an e-fold of power
 static const uint CLUTTER_CELLS = 16;      // on each side, of the mean of the clutter filter
 
-// The beam: echoes of neighbouring spokes add as fields. The receiver adds its noise.
+bool IsBlind(uint spoke)
+{
+    float turns = (float)spoke / _ScreenSize.x - _BlindSector.x;
+    return turns - floor(turns) < _BlindSector.y;
+}
+
+// Field of the pulses of other radars that come in a cell.
+float ForeignField(uint number, uint cell)
+{
+    float field = 0.0;
+    [loop]
+    for (uint i = number * _ForeignRadars; i < (number + 1) * _ForeignRadars; i++)
+    {
+        float4 pulses = _ForeignPulses[i];
+        float next = pulses.x + pulses.y * max(0.0, ceil((cell - pulses.x) / pulses.y));
+        field += next < cell + 1.0 ? pulses.z : 0.0;
+    }
+    return field;
+}
+
+// The beam: echoes of neighbouring spokes add as fields. The receiver adds its noise, and what other radars send.
 [numthreads(64, 1, 1)]
 void ScreenBeam(uint3 id : SV_DispatchThreadID)
 {
@@ -31,15 +54,15 @@ void ScreenBeam(uint3 id : SV_DispatchThreadID)
         return;
     uint spoke = SpokeAt(id.y);
     float2 sum = 0.0;
+    uint count = IsBlind(spoke) ? 0 : 2 * half_beam + 1;
     [loop]
-    for (uint i = 0; i <= 2 * half_beam; i++)
+    for (uint i = 0; i < count; i++)
     {
         uint element = 2 * (((spoke - half_beam + i) & (_ScreenSize.x - 1)) * cells + id.x);
-        float weight = _BeamWeights[i < half_beam ? half_beam - i : i - half_beam];
-        sum += weight * float2(_Echoes[element], _Echoes[element + 1]);
+        sum += _BeamWeights[i] * float2(_Echoes[element], _Echoes[element + 1]);
     }
     float2 noise = SpeckleAt(int2(id.x, spoke), _ScreenSize.w, TurnAt(id.y)).xy;
-    _Signals[id.y * cells + id.x] = sum / ECHO_UNITS + _Receiver.w * noise;
+    _Signals[id.y * cells + id.x] = sum / ECHO_UNITS + _Receiver.w * noise + float2(ForeignField(id.y, id.x), 0.0);
 }
 
 // The pulse, and the square-law detector.

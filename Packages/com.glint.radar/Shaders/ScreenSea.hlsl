@@ -3,6 +3,7 @@
 
 #include "SeaMarch.hlsl"
 #include "SeaSigma.hlsl"
+#include "ScreenPattern.hlsl"
 
 // The diffuse echo of a sea's height field: one thread a facet, some facets a cell. A facet stands for the sea in its
 // part of the cell, with the slope of the field at its middle.
@@ -54,6 +55,8 @@ float SigmaOf(ScreenFacet facet, float3 toRadar)
     return facet.IsBreaking ? BreakingSigma(saturate(toRadar.y)).x : smooth;
 }
 
+#include "ScreenSeaLevels.hlsl"
+
 [numthreads(64, 1, 1)]
 void ScreenSea(uint3 id : SV_DispatchThreadID)
 {
@@ -62,6 +65,10 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
     if (cell >= _ScreenSize.y || range <= height)
         return;
     float ground = sqrt(range * range - height * height), width = TWO_PI / _ScreenSize.x;
+    // Waves only shorten what the earth leaves.
+    float2 highest = max(0.0, float2(height, SeaReach().y) - SeaReach().x);
+    if (ground > (sqrt(highest.x) + sqrt(highest.y)) * rsqrt(_SeaRadar.w))
+        return;
     float2 direction = SeaDirection((float)spoke / _ScreenSize.x), position = _SeaRadar.xz + ground * direction;
     // The vertical at the facet is turned by the curvature of the earth.
     float drop = _SeaRadar.w * ground * ground, rise = height - SeaHeight(position) - drop;
@@ -69,10 +76,11 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
     ScreenFacet facet = FacetAt(position);
     if (dot(facet.Normal, toRadar) <= 0.0 || !SeesSeaRadar(position, SEA_CLEARANCE))
         return;
-    float sigma = SigmaOf(facet, toRadar) * range * width * depth / facet.Normal.y;
+    float sigma = SigmaOf(facet, toRadar) * LevelOf((float)spoke / _ScreenSize.x, (height - drop) / range)
+        * range * width * depth / facet.Normal.y;
     float elevation = atan((rise + 2.0 * drop) / ground);
-    float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * exp(-_ScreenEcho.z * elevation * elevation) * sqrt(sigma)
-        / (range * range);
+    float field = ElevationField(elevation) * exp(-_RainLoss * range);
+    float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * field * field * sqrt(sigma) / (range * range);
     // Speckle decorrelates within a tenth of a second, long before the next turn.
     float2 number = SpeckleAt(int2(SEA_SPECKLE + (int)id.x, spoke), _ScreenSeaSeed, TurnAt(id.y)).xy;
     AddEcho(spoke, cell, amplitude * number);

@@ -65,12 +65,13 @@ bool IsSeen(Path path, float3 normal, Leg leg)
 // Adds the echo of a path that comes back from its last hit.
 void AddPath(Path path, Leg first, Leg last, float section, uint spoke, uint number)
 {
-    float whole = first.Range + path.RelativeLength + last.Range, cells = 0.5 * whole / _ScreenEcho.x;
+    float whole = first.Range + path.RelativeLength + last.Range, cells = ShownCell(0.5 * whole / _ScreenEcho.x);
     if (cells >= (float)_ScreenSize.y)
         return;
     float phase = SpeckleHash(uint4(number, path.Bounces, _ScreenSize.w, PHASE_HASH)).x / 4294967296.0
         + frac(whole * _ScreenWaves.x);
-    float amplitude = _ScreenEcho.y * sqrt(section) * first.Gain * last.Gain * BeamBetween(first, last);
+    float amplitude = _ScreenEcho.y * sqrt(section) * first.Gain * last.Gain * BeamBetween(first, last)
+        * exp(-_RainLoss * path.RelativeLength);
     AddEcho(spoke, (uint)cells, amplitude * Phasor(frac(phase)));
 }
 
@@ -147,7 +148,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (!IsSpokeInSlice(spoke))
         return;
     Leg first = LegTo(position);
-    if (first.Range > 0.0 && first.Range < _ScreenEcho.x * _ScreenSize.y && !IsBehindHorizon(first))
+    if (first.Range > 0.0 && ShownCell(first.Range / _ScreenEcho.x) < (float)_ScreenSize.y && !IsBehindHorizon(first))
         FollowTarget(from, first, spoke, number);
 }
 

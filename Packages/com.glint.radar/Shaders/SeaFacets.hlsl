@@ -158,7 +158,7 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (facet.IsBreaking != 0)
         sigma = BreakingSigma(saturate(sine));
     if (_SeaLevelCount > 0)
-        sigma *= LevelAt(sine);
+        sigma *= LevelAt(sine, 0);
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;
     float nearer = radar.Phase;
     if (_SeaElapsed != 0.0)

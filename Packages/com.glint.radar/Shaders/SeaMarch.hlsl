@@ -47,6 +47,15 @@ float SeaHeight(float2 position)
     return height;
 }
 
+// Lowest and highest point of the sea.
+float2 SeaReach()
+{
+    float2 reach = 0.0;
+    for (uint cascade = 0; cascade < _SeaCascadeCount; cascade++)
+        reach += _SeaBounds[SeaBoundsOf(cascade, SEA_LEVELS - 1)];
+    return reach;
+}
+
 // Height of a ray above the mean level: x + y t + z t^2 at the distance t.
 float3 SeaClearance(float3 origin, float3 direction)
 {

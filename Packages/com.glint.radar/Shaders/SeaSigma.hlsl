@@ -9,9 +9,9 @@ float4 _SeaMirror;                         // of mirror points: halves of the in
                                            // along and across the wind and mixed; factor
 
 // Natural logarithms of factors of the power of VV, HV and HH, and of the sine of the grazing angle at which they hold, in
-// ascending order.
+// ascending order: one table, or one for each of some directions.
 StructuredBuffer<float4> _SeaLevels;
-uint _SeaLevelCount;
+uint _SeaLevelCount;                       // of a table
 
 // Of Core/Clutter/FacetTable.cs.
 static const uint FACET_ROWS = 257;
@@ -97,15 +97,16 @@ float3 BreakingSigma(float cosine)
     return float3(coPolar.z, crossPolar.z, coPolar.z);
 }
 
-// Factors that bring the power of VV, HV and HH to a published level: ClutterLevelTable.FactorAt.
-float3 LevelAt(float sine)
+// Factors that bring the power of VV, HV and HH to a published level: ClutterLevelTable.FactorAt. first: element of the
+// table.
+float3 LevelAt(float sine, uint first)
 {
     float place = log(max(sine, 1.0e-6));
     uint next = 0;
     [loop]
-    while (next < _SeaLevelCount && _SeaLevels[next].w <= place)
+    while (next < _SeaLevelCount && _SeaLevels[first + next].w <= place)
         next++;
-    float4 above = _SeaLevels[min(next, _SeaLevelCount - 1)], below = _SeaLevels[max(next, 1) - 1];
+    float4 above = _SeaLevels[first + min(next, _SeaLevelCount - 1)], below = _SeaLevels[first + max(next, 1) - 1];
     float share = above.w > below.w ? (place - below.w) / (above.w - below.w) : 0.0;
     return exp(lerp(below.xyz, above.xyz, saturate(share)));
 }

@@ -62,6 +62,47 @@ namespace Glint.Tests
                     Is.EqualTo(width).Within(2 * transform.Pixel));
         }
 
+        /// <summary>
+        /// The same from a straight track of 4.6 m, 150 m away and 40 degrees above the plane: its wave is curved by 0.3 m,
+        /// ten wavelengths, at the corners.
+        /// </summary>
+        [Test]
+        public void Image_FromATrack_HasPointsAtTheirPlacesWithTheirCrossSections()
+        {
+            const double distance = 150, elevation = 40;
+            double ground = distance * Math.Cos(math.radians(elevation)), length = ground * LookCount * math.radians(s_lookStep);
+            var track = new RadarTrack(Enumerable.Range(0, LookCount).Select(i =>
+                length * ((i + 0.5) / LookCount - 0.5)).ToArray(), Azimuth, elevation, distance);
+            double2[] points = { new double2(0, 0), new double2(-7, 7), new double2(7, 7), new double2(7, -7) };
+            double azimuth = math.radians(Azimuth);
+            double3 down = new double3(Math.Sin(azimuth), 0, Math.Cos(azimuth)),
+                right = new double3(Math.Cos(azimuth), 0, -Math.Sin(azimuth)),
+                middle = -ground * down + new double3(0, distance * Math.Sin(math.radians(elevation)), 0);
+            var range = new RangeTransform(s_band, Window.Named("taylor"), IsarTransform.Padding,
+                -0.5 * s_band.UnambiguousRange);
+            var amplitudes = points.Select(_ => new Complex(Math.Sqrt(Level), 0)).ToArray();
+            var profiles = track.Places.Select(along => range.Profile(PointEchoes.Sum(s_band, points.Select(point =>
+            {
+                double3 radar = middle + along * right;
+                return 2 * (math.length(point.x * down + point.y * right - radar) - math.length(radar));
+            }).ToArray(), amplitudes))).ToArray();
+            var places = Enumerable.Range(0, LookCount).Select(i => track[i]).ToArray();
+            var transform = new IsarTransform(range, s_band, places.Select(place =>
+                    RadarAspect.At(place.azimuth, place.elevation)).ToArray(), Azimuth, Window.Named("taylor"), 20, 320,
+                places.Select(place => place.range).ToArray());
+            double[] levels = PowerLevel.Decibels(transform.Image(profiles));
+            foreach (var point in points)
+            {
+                var near = Enumerable.Range(0, levels.Length).Where(i =>
+                    math.distance(new double2(transform.PlaceOf(i / 320), transform.PlaceOf(i % 320)), point) < 2);
+                int highest = near.OrderByDescending(i => levels[i]).First();
+                // A tenth of a bin, and half a pixel.
+                Assert.That(transform.PlaceOf(highest / 320), Is.EqualTo(point.x).Within(0.1 * s_bin + 0.04));
+                Assert.That(transform.PlaceOf(highest % 320), Is.EqualTo(point.y).Within(0.1 * s_bin + 0.04));
+                Assert.That(levels[highest], Is.EqualTo(10 * Math.Log10(Level)).Within(0.3));
+            }
+        }
+
         static IEnumerable<RadarAspect> Looks => Enumerable.Range(0, LookCount).Select(look =>
             RadarAspect.At(Azimuth + (look - 0.5 * (LookCount - 1)) * s_lookStep, 0));
 

@@ -1,4 +1,5 @@
 using System;
+using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -57,6 +58,25 @@ namespace Glint.Tests
             Assert.That(math.distance(before, new double3(144 * Math.PI / 180, 0, 0)), Is.LessThan(1e-5));
             Vector3 turned = Quaternion.Euler(0, 1.44f, 0) * new Vector3(0, 0, 1);
             Assert.That(turned.x, Is.EqualTo(before.x / 100).Within(1e-4));
+        }
+
+        // A twentieth of a second of 5 m/s and of 40 degrees a second about a tilted axis; then a pose that stays.
+        [Test]
+        public void RadarMotion_FromTwoPoses_HasTheirVelocities()
+        {
+            var ship = _scene.Empty("Ship");
+            var motion = ship.gameObject.AddComponent<RadarMotion>();
+            Vector3 axis = new Vector3(2, -6, 3) / 7, before = new Vector3(100, 2, -50);
+            var rotation = Quaternion.Euler(10, 250, -5);
+            ship.localPosition = before + new Vector3(0.15f, 0, -0.2f);
+            ship.localRotation = Quaternion.AngleAxis(2, axis) * rotation;
+            motion.SetFromPose(before, rotation, 0.05);
+            Assert.That(math.distance(motion.Velocity, new float3(3, 0, -4)), Is.LessThan(1e-3));
+            Assert.That(math.distance(motion.TurnRates, 40 * (float3)axis), Is.LessThan(1e-3));
+            motion.SetFromPose(ship.localPosition, ship.localRotation, 0.05);
+            Assert.That(math.length(motion.TurnRates) + math.length(motion.Velocity), Is.LessThan(1e-3));
+            Assert.That(() => motion.SetFromPose(before, rotation, 0), Throws.InstanceOf<GlintException>()
+                .With.Message.EqualTo("RadarMotion of 'Ship': poses 0 s apart have no velocity: give a time above 0"));
         }
     }
 }

@@ -206,6 +206,42 @@ namespace Glint.Tests
             Assert.That(_screen.Tracer.TrailMiddle.y, Is.EqualTo(3000 / pixel).Within(1e-3));
         }
 
+        // To the east, where its own beam stands on the screen; with north at +X it is to the north. 5 kHz are 30 km.
+        [TestCase(0, 90)]
+        [TestCase(90, 0)]
+        public void InterferingRadar_IsAtItsTrueBearing(float north, double bearing)
+        {
+            Make("Compass", Vector3.zero).AddComponent<Compass>().transform.rotation = Quaternion.Euler(0, north, 0);
+            var other = Make("Other", new Vector3(4000, 15, 0)).AddComponent<InterferingRadar>();
+            (other.PulseRate, other.TurnsAMinute, other.StartBearing) = (5000, 0, (float)bearing + 180);
+            TurnOnce();
+            var levels = _screen.ReadLevels();
+            int[] spokes = Enumerable.Range(0, 1024).Where(spoke => levels.Skip(256 * spoke).Take(256).Max() > 20).ToArray();
+            Assert.That(spokes, Is.Not.Empty);
+            // 108 dB over noise in the middle: the Gaussian beam is 88 dB down at 3.24 degrees.
+            Assert.That(spokes.Select(spoke => Math.Abs(Math.IEEERemainder(360 * spoke / 1024.0 - bearing, 360))),
+                Is.All.LessThan(3.3));
+            other.enabled = false;
+            TurnOnce();
+            Assert.That(_screen.ReadLevels().Max(), Is.LessThan(20));
+            Assert.That(() => other.PulseRate = 0, Throws.InstanceOf<GlintException>()
+                .With.Message.StartsWith("InterferingRadar of 'Other': a pulse rate of 0 Hz"));
+        }
+
+        [Test]
+        public void PatternTable_IsThatOfTheText()
+        {
+            var radar = ScreenBench.Small();
+            radar.Pattern = ScreenPattern.Table;
+            _screen.PatternTable = new TextAsset(EchoAntenna.TableHeader + "\n-3,-40,0\n0,0,0\n3,-40,0\n");
+            _screen.Radar = radar;
+            _screen.Advance(0.1);
+            Assert.That(_screen.Geometry.BeamWidth, Is.EqualTo(1.775).Within(0.01));
+            _screen.PatternTable = null;
+            Assert.That(() => _screen.Advance(0.1), Throws.InstanceOf<GlintException>()
+                .With.Message.StartsWith("RadarScreen of 'Radar': its pattern is that of a table"));
+        }
+
         // 5 km away to the north-east, at 0.6 of the range scale.
         [Test]
         public void Detections_AreMarkedInThePicture()

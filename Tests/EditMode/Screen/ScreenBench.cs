@@ -12,8 +12,15 @@ namespace Glint.Tests
         public const double Height = 15;
 
         public ScreenBench(in ScreenRadar radar, params (double bearing, double range, double section)[] targets)
+            : this(radar, null, targets)
         {
-            Tracer = new ScreenTracer(TestKernels.Screen, "test", radar);
+        }
+
+        /// <param name="table">Of the antenna's pattern.</param>
+        public ScreenBench(in ScreenRadar radar, string table,
+            params (double bearing, double range, double section)[] targets)
+        {
+            Tracer = new ScreenTracer(TestKernels.Screen, "test", radar, table);
             Points = targets.Select(target => Tracer.Geometry.PointOf(
                 At(target.bearing, target.range), new double3(0, Height, 0), target.section)).ToArray();
         }
@@ -28,6 +35,11 @@ namespace Glint.Tests
 
         /// <summary>Of the antenna, where true trails keep their place.</summary>
         public double2 Position;
+
+        /// <summary>True heading of the own ship, turns.</summary>
+        public double Heading;
+
+        public OtherRadar[] Others = Array.Empty<OtherRadar>();
 
         /// <summary>Default radar with fewer spokes and cells.</summary>
         public static ScreenRadar Small(int spokes = 1024, int cells = 256)
@@ -47,7 +59,8 @@ namespace Glint.Tests
             Tracer.Begin(bearing / 360);
             Tracer.AddPoints(Points, Points.Length);
             Tracer.AddRain();
-            Tracer.Finish(Receiver, Position);
+            Tracer.SetOtherRadars(Others, Others.Length);
+            Tracer.Finish(Receiver, Position, Heading);
         }
 
         /// <summary>Turns from a bearing to another in frames of some degrees.</summary>

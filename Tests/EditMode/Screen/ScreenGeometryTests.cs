@@ -15,10 +15,10 @@ namespace Glint.Tests
             var radar = ScreenRadar.Default;
             radar.BeamWidth = 360.0 / 4096 * 20;
             var geometry = new ScreenGeometry(radar, "test");
-            Assert.That(geometry.Beam[0], Is.EqualTo(1));
-            Assert.That(geometry.Beam[10], Is.EqualTo(0.5).Within(1e-6));
-            Assert.That(geometry.Beam[20], Is.EqualTo(1 / 16.0).Within(1e-6));
-            Assert.That(geometry.Beam[geometry.HalfBeam], Is.GreaterThanOrEqualTo(1e-4));
+            Assert.That(geometry.Beam[geometry.HalfBeam], Is.EqualTo(1));
+            Assert.That(geometry.Beam[geometry.HalfBeam + 10], Is.EqualTo(0.5).Within(1e-6));
+            Assert.That(geometry.Beam[geometry.HalfBeam - 20], Is.EqualTo(1 / 16.0).Within(1e-6));
+            Assert.That(geometry.Beam[0], Is.GreaterThanOrEqualTo(1e-4));
         }
 
         [Test]
@@ -68,6 +68,13 @@ namespace Glint.Tests
             Refuses(radar => { radar.Spokes = 256; return radar; }, "fewer than three across the beam");
             Refuses(radar => { radar.RangeScale = double.NaN; return radar; }, "range scale NaN m must be from 100");
             Refuses(radar => { radar.RangeScale = 500; radar.PulseNanoseconds = 1000; return radar; }, "pulse of 1000 ns");
+            // c / 2 over the range scale is 13,489 Hz.
+            Refuses(radar => { radar.PulseRate = 13500; return radar; }, "use a rate of 13489 Hz at most");
+            Refuses(radar => { radar.PulseRate = -1; return radar; }, "pulse rate -1 Hz must be from 0");
+            Refuses(radar => { radar.Pattern = (ScreenPattern)9; return radar; },
+                "no pattern 9: choose one of Gaussian, Sinc, Cosecant, Table");
+            Refuses(radar => { radar.Pattern = ScreenPattern.Table; return radar; }, "there is none: give a Pattern Table");
+            Refuses(radar => { radar.Pattern = ScreenPattern.Cosecant; return radar; }, "must lead away from 0");
             Refuses(radar => { radar.Power = 0; return radar; }, "power 0 W must be");
             var receiver = ScreenReceiver.Default;
             receiver.RainFilter = 2;

@@ -195,7 +195,10 @@ namespace Glint.Tests
                     // The square of the pulse's triangle has a third of its base.
                     length = 2.0 / 3 * 299792458 / 2 * 300e-9,
                     section = density * range * range * width * height / 2 * length,
-                    power = 25000 * gain * gain * wave * wave * section / (Math.Pow(4 * Math.PI, 3) * Math.Pow(range, 4));
+                    // ITU-R P.838-3, HH at 9.41 GHz: 0.0093 rate^1.2895 dB/km, there and back.
+                    loss = Math.Pow(10, -0.2 * 0.0093 * Math.Pow(10, 1.2895) * range / 1000),
+                    power = 25000 * gain * gain * wave * wave * section * loss
+                        / (Math.Pow(4 * Math.PI, 3) * Math.Pow(range, 4));
                 var levels = bench.Levels();
                 int first = cells / 64 * 20;
                 double measured = Enumerable.Range(0, 2048).Average(spoke => Enumerable.Range(first, cells / 64)

@@ -77,7 +77,7 @@ function strongestRow() {
 
 function head(strongest) {
   const plan = poses.plan === '' ? '' : ` (${poses.plan})`;
-  byId('lead').textContent = `${echo ? `Range profiles in ${plural(poses.rows.length, 'direction')}` : `Cross sections in ${plural(poses.rows.length, 'row')}`}${plan}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
+  byId('lead').textContent = `${echo?.image ? `An ISAR image of ${plural(poses.rows.length, 'azimuth')}` : echo ? `Range profiles in ${plural(poses.rows.length, 'direction')}` : `Cross sections in ${plural(poses.rows.length, 'row')}`}${plan}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
   const unmet = run.rows.filter(row => row.tolerance_met === 0).length, outside = run.rows.filter(row => row.outside_physical_optics === 1).length;
   byId('warning').hidden = unmet + outside === 0;
   byId('warning').textContent = [

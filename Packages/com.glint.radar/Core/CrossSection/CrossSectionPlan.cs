@@ -31,8 +31,21 @@ namespace Glint.Core
         /// </exception>
         public CrossSectionPlan(double[] azimuths, double[] elevations, double[] frequencies,
             double[] receiverAzimuths = null, double receiverElevation = 0, PulseTrain pulses = null)
+            : this(azimuths, elevations, frequencies, receiverAzimuths, receiverElevation, pulses, null)
         {
-            Pulses = pulses;
+        }
+
+        /// <summary>A plan of a track: a pose for each of its places.</summary>
+        /// <inheritdoc cref="CrossSectionPlan(double[], double[], double[], double[], double, PulseTrain)"/>
+        public CrossSectionPlan(RadarTrack track, double[] frequencies) : this(new[] { track.AzimuthDegrees },
+            new[] { track.ElevationDegrees }, frequencies, null, 0, null, track)
+        {
+        }
+
+        CrossSectionPlan(double[] azimuths, double[] elevations, double[] frequencies, double[] receiverAzimuths,
+            double receiverElevation, PulseTrain pulses, RadarTrack track)
+        {
+            (Pulses, Track) = (pulses, track);
             (_azimuths, _elevations) = (azimuths, elevations);
             (_receiverAzimuths, _receiverElevation) = (receiverAzimuths, receiverElevation);
             _frequencies = frequencies.OrderBy(frequency => frequency).ToArray();
@@ -40,7 +53,7 @@ namespace Glint.Core
                 if (_frequencies[i] == _frequencies[i - 1])
                     throw new UsageException($"the frequency {Numbers.Format(_frequencies[i])} Hz is given twice: "
                         + "give each once");
-            double count = (double)azimuths.Length * elevations.Length * PulseCount * frequencies.Length * Receivers;
+            double count = (double)Poses * PulseCount * frequencies.Length * Receivers;
             if (count > Limit)
                 throw new UsageException($"there are more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} "
                     + "rows: shorten a list, or give its parts to several commands");
@@ -51,7 +64,10 @@ namespace Glint.Core
         public int Count { get; }
 
         /// <summary>Directions of the radar.</summary>
-        public int Poses => _azimuths.Length * _elevations.Length;
+        public int Poses => Track?.Count ?? _azimuths.Length * _elevations.Length;
+
+        /// <summary>The track of the radar; null: it turns at one range.</summary>
+        public RadarTrack Track { get; }
 
         /// <summary>Receivers of each pose.</summary>
         public int Receivers => _receiverAzimuths?.Length ?? 1;
@@ -77,11 +93,12 @@ namespace Glint.Core
                 int receiver = row % Receivers, frequency = row / Receivers % _frequencies.Length;
                 int pulse = row / Receivers / _frequencies.Length % PulseCount;
                 int pose = row / Receivers / _frequencies.Length / PulseCount;
+                var (azimuth, elevation, range) = Track?[pose]
+                    ?? (_azimuths[pose % _azimuths.Length], _elevations[pose / _azimuths.Length], (double?)null);
                 return new PlannedCrossSection(pose, pulse, frequency, receiver)
                 {
                     Time = Pulses?.TimeOf(pulse),
-                    AzimuthDegrees = _azimuths[pose % _azimuths.Length],
-                    ElevationDegrees = _elevations[pose / _azimuths.Length],
+                    AzimuthDegrees = azimuth, ElevationDegrees = elevation, Range = range,
                     Frequency = _frequencies[frequency],
                     ReceiverAzimuthDegrees = _receiverAzimuths?[receiver],
                     ReceiverElevationDegrees = IsBistatic ? _receiverElevation : (double?)null
@@ -97,6 +114,7 @@ namespace Glint.Core
             Add(CrossSectionColumn.Azimuth, _azimuths);
             Add(CrossSectionColumn.Elevation, _elevations);
             Add(CrossSectionColumn.Frequency, _frequencies);
+            Track?.AddTo(identity);
             if (Pulses != null)
             {
                 identity.Add(PulsesName, Numbers.Format(Pulses.Count));
@@ -115,8 +133,12 @@ namespace Glint.Core
             double[] Find(string name) => identity.Entries.FirstOrDefault(entry => entry.Key == name)
                 .Value?.Split(',').Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
             double[] Require(string name) => Find(name) ?? throw new System.FormatException($"it has no {name}");
-            return new CrossSectionPlan(Require(CrossSectionColumn.Azimuth.Name),
-                Require(CrossSectionColumn.Elevation.Name), Require(CrossSectionColumn.Frequency.Name),
+            double[] azimuths = Require(CrossSectionColumn.Azimuth.Name),
+                elevations = Require(CrossSectionColumn.Elevation.Name),
+                frequencies = Require(CrossSectionColumn.Frequency.Name);
+            if (RadarTrack.Of(Find, azimuths[0], elevations[0]) is RadarTrack track)
+                return new CrossSectionPlan(track, frequencies);
+            return new CrossSectionPlan(azimuths, elevations, frequencies,
                 Find(CrossSectionColumn.ReceiverAzimuth.Name), Find(CrossSectionColumn.ReceiverElevation.Name)?[0] ?? 0,
                 Find(PulsesName) is double[] pulses
                     ? new PulseTrain(Require(RepetitionName)[0], (int)pulses[0])
@@ -147,6 +169,9 @@ namespace Glint.Core
 
         /// <inheritdoc cref="AzimuthDegrees"/>
         public double ElevationDegrees;
+
+        /// <summary>Metres from the phase centre to a place on a track; null: that of all rows.</summary>
+        public double? Range;
 
         /// <summary>Hertz.</summary>
         public double Frequency;

@@ -75,6 +75,12 @@ namespace Glint.Core
         /// <summary>Elevation of the beam's middle over the horizontal, degrees; null: that of the phase centre.</summary>
         public double? Tilt { get; set; }
 
+        /// <summary>The cut in azimuth.</summary>
+        public AntennaPattern Azimuth => _azimuth;
+
+        /// <summary>The cut in elevation.</summary>
+        public AntennaPattern Elevation => _elevation;
+
         /// <summary>The narrower one of its half-power widths, degrees.</summary>
         public double Width => Math.Min(_azimuth.Width, _elevation.Width);
 

@@ -113,6 +113,10 @@ namespace Glint.Core
                     .Select(pulse => values(direction, polarisation, pulse)).ToArray())
                 : null;
 
+        /// <summary>Azimuth of the image's axes in degrees: the middle of the looks, or of the track.</summary>
+        public double MiddleAzimuth => Plan.Track?.AzimuthDegrees
+            ?? 0.5 * (Planned(0).AzimuthDegrees + Planned(Directions - 1).AzimuthDegrees);
+
         /// <summary>From the profiles to the image; only with <see cref="EchoSettings.Image"/>.</summary>
         public IsarTransform NewImage() => NewImage(Settings.RangeOf(Plan, IsarTransform.Padding));
 
@@ -143,9 +147,9 @@ namespace Glint.Core
         IsarTransform NewImage(RangeTransform range)
         {
             var looks = Enumerable.Range(0, Directions).Select(Planned).ToArray();
-            double middle = 0.5 * (looks[0].AzimuthDegrees + looks[looks.Length - 1].AzimuthDegrees);
-            return new IsarTransform(range, Band, looks.Select(look => look.Radar).ToArray(), middle,
-                Window.Named(Settings.Window), Settings.Image.Side, Settings.Image.Pixels);
+            return new IsarTransform(range, Band, looks.Select(look => look.Radar).ToArray(), MiddleAzimuth,
+                Window.Named(Settings.Window), Settings.Image.Side, Settings.Image.Pixels,
+                looks.Select(look => look.Range ?? double.PositiveInfinity).ToArray());
         }
 
         int NumberOf(int direction, int pulse, int frequency) =>

@@ -11,7 +11,7 @@ namespace Glint.Core
     /// From the range profiles of many looks to an image by backprojection: the sum over the looks of the profile at
     /// the pixel's range, turned back by the phase of the carrier. A point on the image's plane keeps its cross
     /// section. The plane is horizontal, through the phase centre; its axes are those of a radar at the middle of the
-    /// looks: down range away from it, cross range to its right.
+    /// looks: down range away from it, cross range to its right. A look at a finite range has spherical waves.
     /// </summary>
     public sealed class IsarTransform
     {
@@ -26,6 +26,7 @@ namespace Glint.Core
         readonly RangeTransform _range;
         readonly double _centreFrequency;
         readonly IReadOnlyList<RadarAspect> _looks;
+        readonly IReadOnlyList<double> _ranges;
         readonly double[] _weights;
         readonly double3 _down, _cross;
 
@@ -35,12 +36,13 @@ namespace Glint.Core
         /// <param name="window">Weights over the looks.</param>
         /// <param name="side">Side of the image, metres.</param>
         /// <param name="pixels">Pixels along a side.</param>
+        /// <param name="ranges">From the phase centre to the radar of each look, metres; null: all are infinite.</param>
         public IsarTransform(RangeTransform range, FrequencyBand band, IReadOnlyList<RadarAspect> looks,
-            double middleDegrees, Window window, double side, int pixels)
+            double middleDegrees, Window window, double side, int pixels, IReadOnlyList<double> ranges = null)
         {
             Require.Count("image", "number of pixels along a side", pixels, MaxPixels);
             Require.Positive("image", "side", side, "m");
-            (_range, _centreFrequency, _looks) = (range, band.Centre, looks);
+            (_range, _centreFrequency, _looks, _ranges) = (range, band.Centre, looks, ranges);
             var middle = RadarAspect.At(middleDegrees, 0);
             (_down, _cross) = (-middle.ToRadar, middle.Right);
             double[] weights = window.Weights(looks.Count);
@@ -82,28 +84,34 @@ namespace Glint.Core
         /// <summary>How the place of a pixel leads to a look's profile.</summary>
         public LookSteps LookOf(int look)
         {
-            double turns = 2 * _centreFrequency / Signal.SpeedOfLight, cells = 1 / _range.CellSize,
-                down = -Pixel * math.dot(_looks[look].ToRadar, _down),
-                cross = -Pixel * math.dot(_looks[look].ToRadar, _cross);
+            double turns = 2 * _centreFrequency / Signal.SpeedOfLight * Pixel, cells = Pixel / _range.CellSize,
+                down = -math.dot(_looks[look].ToRadar, _down), cross = -math.dot(_looks[look].ToRadar, _cross);
             return new LookSteps
             {
-                TurnsDown = turns * down, TurnsCross = turns * cross, CellsDown = cells * down,
-                CellsCross = cells * cross, CentreCell = -cells * _range.StartRange, Weight = _weights[look]
+                AwayDown = down, AwayCross = cross, Range = (_ranges?[look] ?? double.PositiveInfinity) / Pixel,
+                TurnsAPixel = turns, CellsAPixel = cells, CentreCell = -_range.StartRange / _range.CellSize,
+                Weight = _weights[look]
             };
         }
     }
 
     /// <summary>
-    /// A look of an image: the turns of the carrier and the cell of the profile are linear in the pixels from the
-    /// image's middle.
+    /// A look of an image: the range of a place, in pixels, is linear in the pixels from the image's middle, but for the
+    /// curvature of the wave. It leads to the turns of the carrier and to the cell of the profile.
     /// </summary>
     public struct LookSteps
     {
-        /// <summary>Turns of the carrier a pixel down range and cross range.</summary>
-        public double TurnsDown, TurnsCross;
+        /// <summary>Range of a plane wave a pixel down range and cross range, pixels.</summary>
+        public double AwayDown, AwayCross;
 
-        /// <summary>Cells of the profile a pixel down range and cross range, and that of the image's middle.</summary>
-        public double CellsDown, CellsCross, CentreCell;
+        /// <summary>From the image's middle to the radar, pixels; infinite: the wave is plane.</summary>
+        public double Range;
+
+        /// <summary>Of a pixel of range.</summary>
+        public double TurnsAPixel, CellsAPixel;
+
+        /// <summary>Cell of the image's middle.</summary>
+        public double CentreCell;
 
         /// <summary>Of the look; all add up to 1.</summary>
         public double Weight;
@@ -114,13 +122,23 @@ namespace Glint.Core
         /// </summary>
         internal Complex At(Complex[] profile, double down, double cross)
         {
-            double cell = down * CellsDown + cross * CellsCross + CentreCell;
+            double away = down * AwayDown + cross * AwayCross, range = away + Curvature(down, cross, away),
+                cell = range * CellsAPixel + CentreCell;
             int first = (int)Math.Floor(cell);
             if (first < 0 || first + 1 >= profile.Length)
                 return Complex.Zero;
             double part = cell - first;
-            var (sine, cosine) = PortableMath.SinCos(down * TurnsDown + cross * TurnsCross);
+            var (sine, cosine) = PortableMath.SinCos(range * TurnsAPixel);
             return Weight * ((1 - part) * profile[first] + part * profile[first + 1]) * new Complex(cosine, sine);
+        }
+
+        // Pixels by which a place is further away than for a plane wave.
+        double Curvature(double down, double cross, double away)
+        {
+            if (double.IsPositiveInfinity(Range))
+                return 0;
+            double across = down * down + cross * cross - away * away, ahead = Range + away;
+            return across / (ahead + Math.Sqrt(ahead * ahead + across));
         }
     }
 }

@@ -19,7 +19,7 @@ namespace Glint.Core
         /// Adds azimuth and elevation of each pose, frequency, receiver (azimuth and elevation; those of the pose, as
         /// NaN, where the radar receives), S by pose, frequency, receiver, received and sent polarisation (V, H; NaN
         /// where it was not asked for), and error. With pulses S and error have an index more, of the pulse, after that
-        /// of the pose, and there is the time of each.
+        /// of the pose, and there is the time of each. With a track there is the distance of each pose.
         /// </summary>
         public static void AddTo(IArrayFile arrays, RunInfo info, IReadOnlyList<StoredRow> rows)
         {
@@ -30,6 +30,8 @@ namespace Glint.Core
             var received = Enumerable.Range(0, receivers).Select(receiver => plan[receiver]);
             arrays.Add("azimuth", new[] { poses.Length }, poses.Select(pose => pose.AzimuthDegrees));
             arrays.Add("elevation", new[] { poses.Length }, poses.Select(pose => pose.ElevationDegrees));
+            if (plan.Track != null)
+                arrays.Add("distance", new[] { poses.Length }, poses.Select(pose => pose.Range.Value));
             arrays.Add("frequency", new[] { frequencies }, plan.Frequencies);
             arrays.Add("receiver", new[] { receivers, 2 }, received.SelectMany(planned => new[]
                 { planned.ReceiverAzimuthDegrees ?? double.NaN, planned.ReceiverElevationDegrees ?? double.NaN }));

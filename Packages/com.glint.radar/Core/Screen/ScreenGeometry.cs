@@ -20,39 +20,43 @@ namespace Glint.Core
         /// <summary>Smallest weight of a spoke in the beam: the square is 80 dB down.</summary>
         public const double SmallestWeight = 1e-4;
 
+        /// <summary>Steps of <see cref="Elevation"/>: ELEVATION_STEPS in Shaders/ScreenPattern.hlsl.</summary>
+        public const int ElevationSteps = 4096;
+
         // |K|^2 of water.
         const double WaterFactor = 0.93;
 
         readonly RadarEquation _equation;
-        readonly Antenna _antenna;
         readonly double _waveNumber;
 
-        /// <exception cref="GlintException">A setting is out of its range.</exception>
-        public ScreenGeometry(in ScreenRadar radar, string subject)
+        /// <param name="table">Text of the pattern's table: <see cref="EchoAntenna.TableHeader"/>.</param>
+        /// <exception cref="GlintException">A setting is out of its range, or the table is none.</exception>
+        public ScreenGeometry(in ScreenRadar radar, string subject, string table = null)
         {
             radar.Validate(subject);
             Radar = radar;
+            var pattern = PatternOf(radar, subject, table);
+            radar.RequireSpokes(subject, pattern.Azimuth.Width);
             CellSize = radar.RangeScale / radar.Cells;
             double pulse = 1e-9 * radar.PulseNanoseconds;
             NoisePower = new ThermalNoise(radar.Seed, 1 / pulse, radar.NoiseFigureDb).Power;
             Units = UnitsOfNoise / Math.Sqrt(NoisePower);
             _equation = new RadarEquation(radar.Power, radar.Frequency, radar.LossDb);
-            var azimuth = AntennaPattern.Gaussian(radar.BeamWidth);
-            _antenna = new Antenna(Antenna.UsualGainDb(radar.BeamWidth, radar.VerticalBeamWidth), azimuth,
-                AntennaPattern.Gaussian(radar.VerticalBeamWidth));
+            BeamWidth = pattern.Azimuth.Width;
+            Antenna = new Antenna(pattern.UsualGainDb, pattern.Azimuth, pattern.Elevation);
             _waveNumber = 2 * Math.PI / Signal.Wavelength(radar.Frequency);
-            Beam = Enumerable.Range(0, radar.Spokes / 4)
-                .Select(spoke => Math.Pow(azimuth.Field(2 * Math.PI * spoke / Radar.Spokes).Real, 2))
-                .TakeWhile(weight => weight >= SmallestWeight).Select(weight => (float)weight).ToArray();
+            Beam = BeamOf(pattern.Azimuth, radar.Spokes);
+            Elevation = Enumerable.Range(0, ElevationSteps + 1).Select(step =>
+                (float)pattern.Elevation.Field(Math.PI * ((double)step / ElevationSteps - 0.5)).Real).ToArray();
             PulseLength = Signal.SpeedOfLight / 2 * pulse;
             Pulse = Enumerable.Range(0, radar.Cells).Select(cell => 1 - cell * CellSize / PulseLength)
                 .TakeWhile((weight, cell) => cell == 0 || weight > 0).Select(weight => (float)weight).ToArray();
             NoiseGain = 1 / (1 + 2 * Pulse.Skip(1).Sum(weight => (double)weight * weight));
             FillFactor = Math.Sqrt(2.0 / 3 * PulseLength / CellSize * NoiseGain);
             AmplitudeAtOne = Amplitude(1, 1, 0);
-            // The field out and back.
-            ElevationExponent = 2 * AntennaPattern.GaussianExponent(radar.VerticalBeamWidth);
             RainAmplitude = RainOf(radar);
+            RainLoss = Math.Log(10) / 20 / 1000 * RainAttenuation.DecibelsAKilometre(radar.Frequency, radar.RainRate,
+                radar.Polarisation == ScreenPolarisation.Horizontal);
         }
 
         /// <summary>The settings.</summary>
@@ -70,11 +74,23 @@ namespace Glint.Core
         /// <summary>Units of the sums of echoes a root watt.</summary>
         public double Units { get; }
 
+        /// <summary>Half-power width of the beam, degrees.</summary>
+        public double BeamWidth { get; }
+
+        /// <summary>Gain and pattern.</summary>
+        public Antenna Antenna { get; }
+
         /// <summary>
-        /// Weight of the echo of a spoke in the signal of another, by their distance in spokes: the field of the
-        /// pattern out and back.
+        /// Weights of the echoes of <see cref="HalfBeam"/> spokes to the left of a spoke, of its own and of as many to the
+        /// right in its signal: the field of the pattern out and back.
         /// </summary>
         public float[] Beam { get; }
+
+        /// <summary>
+        /// The pattern's field one way at <see cref="ElevationSteps"/> equal steps of elevation, from straight down to
+        /// straight up.
+        /// </summary>
+        public float[] Elevation { get; }
 
         /// <summary>
         /// Weight of the echo of a cell in the signal of another, by their distance in cells: the pulse behind its
@@ -83,7 +99,7 @@ namespace Glint.Core
         public float[] Pulse { get; }
 
         /// <summary>Spokes on each side of a spoke whose echoes are part of its signal.</summary>
-        public int HalfBeam => Beam.Length - 1;
+        public int HalfBeam => Beam.Length / 2;
 
         /// <summary>Mean power of the noise of the sums before the pulse's weights, over that behind them.</summary>
         public double NoiseGain { get; }
@@ -97,14 +113,14 @@ namespace Glint.Core
         /// <summary>Amplitude in units of an echo of one square metre at one metre, in the middle of the beam.</summary>
         public double AmplitudeAtOne { get; }
 
-        /// <summary>The amplitude falls with exp(-this elevation^2), the elevation in radians.</summary>
-        public double ElevationExponent { get; }
-
         /// <summary>
         /// Root of the power of the rain's echo in a spoke, in units, times the range in cells. The drops are those of
         /// Marshall and Palmer, Z = 200 r^1.6 mm6/m3 at r mm/h, and scatter as Rayleigh's spheres.
         /// </summary>
         public double RainAmplitude { get; }
+
+        /// <summary>A field falls in the rain with exp(-this way), the way one way in metres.</summary>
+        public double RainLoss { get; }
 
         /// <summary>The spoke of an offset from the antenna, metres: x to the east, z to the north.</summary>
         public int SpokeOf(double3 offset) => SpokeOf(Math.Atan2(offset.x, offset.z) / (2 * Math.PI));
@@ -119,8 +135,8 @@ namespace Glint.Core
         public int InTurn(long spoke) => (int)(spoke & (Radar.Spokes - 1));
 
         /// <summary>
-        /// An echo as the sums take it. <see cref="ScreenPoint.Amplitude"/> is 0 behind the horizon and outside the
-        /// range scale.
+        /// An echo as the sums take it. <see cref="ScreenPoint.Amplitude"/> is 0 behind the horizon and where the range
+        /// at which it is shown is outside the range scale.
         /// </summary>
         /// <param name="position">Of the reflector, metres: x to the east, y above the sea, z to the north.</param>
         /// <param name="antenna">The same of the antenna.</param>
@@ -129,20 +145,54 @@ namespace Glint.Core
         {
             double3 way = position - antenna;
             double distance = math.length(way.xz), range = math.length(way);
-            if (!(section > 0 && section < double.PositiveInfinity) || !(range > 0 && range < Radar.RangeScale)
-                || distance > Horizon(antenna.y) + Horizon(position.y))
+            double shown = range % Radar.UnambiguousRange;
+            if (!(section > 0 && section < double.PositiveInfinity) || !(range > 0 && shown < Radar.RangeScale)
+                || IsBehindHorizon(antenna.y, position.y, distance))
                 return default;
             var point = new ScreenPoint
             {
-                Position = (float3)way, Cell = Math.Min((int)(range / CellSize), Radar.Cells - 1),
+                Position = (float3)way, Cell = Math.Min((int)(shown / CellSize), Radar.Cells - 1),
                 Spoke = SpokeOf(way)
             };
             double amplitude = Amplitude(section, range, Math.Atan2(way.y - ClutterGeometry.DropAt(distance), distance))
-                * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);
+                * Math.Exp(-2 * RainLoss * range) * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);
             double phase = 2 * _waveNumber * range;
             point.Amplitude = (float)amplitude;
             point.Field = (float2)new double2(amplitude * Math.Cos(phase), amplitude * Math.Sin(phase));
             return point;
+        }
+
+        /// <summary>Whether a smooth sea hides heights from each other.</summary>
+        public static bool IsBehindHorizon(double height, double other, double distance) =>
+            !(distance <= Horizon(height) + Horizon(other));
+
+        static EchoAntenna PatternOf(in ScreenRadar radar, string subject, string table)
+        {
+            if (radar.Pattern == ScreenPattern.Table && string.IsNullOrEmpty(table))
+                throw new GlintException($"{subject}: its pattern is that of a table, and there is none: give a Pattern "
+                    + $"Table, a text whose first line is {EchoAntenna.TableHeader}, or choose another Pattern");
+            try
+            {
+                return radar.Pattern == ScreenPattern.Table ? new EchoAntenna(table)
+                    : new EchoAntenna(EchoAntenna.Names[(int)radar.Pattern],
+                        new double2(radar.BeamWidth, radar.VerticalBeamWidth),
+                        radar.Pattern == ScreenPattern.Cosecant
+                            ? new double2(radar.CosecantFrom, radar.CosecantTo) : (double2?)null);
+            }
+            catch (Exception refusal) when (refusal is FormatException || refusal is GlintException)
+            {
+                throw new GlintException($"{subject}: {refusal.Message}", refusal);
+            }
+        }
+
+        static float[] BeamOf(AntennaPattern azimuth, int spokes)
+        {
+            // More would come to the spokes of the turn before.
+            int half = spokes / 4 - 1;
+            double WeightOf(int spoke) => Math.Pow(azimuth.Field(2 * Math.PI * spoke / spokes).Real, 2);
+            while (half > 0 && Math.Max(WeightOf(-half), WeightOf(half)) < SmallestWeight)
+                half--;
+            return Enumerable.Range(-half, 2 * half + 1).Select(spoke => (float)WeightOf(spoke)).ToArray();
         }
 
         double RainOf(in ScreenRadar radar)
@@ -151,8 +201,9 @@ namespace Glint.Core
             double wave = Signal.Wavelength(radar.Frequency), z = 200 * Math.Pow(radar.RainRate, 1.6) * 1e-18,
                 density = Math.Pow(Math.PI, 5) * WaterFactor * z / Math.Pow(wave, 4);
             // Of a spoke, with the power of the beam's height above the sea, out and back.
-            double angle = 2 * Math.PI / radar.Spokes * radar.VerticalBeamWidth * Math.PI / 180
-                * Math.Sqrt(Math.PI / (8 * Math.Log(2))) / 2;
+            double angle = 2 * Math.PI / radar.Spokes * Math.PI / ElevationSteps
+                * Elevation.Skip(ElevationSteps / 2).Select((field, step) => (step == 0 ? 0.5 : 1) * Math.Pow(field, 4))
+                    .Sum();
             // The volume is angle R^2 CellSize, and the amplitude falls with 1 / R^2.
             return FillFactor * AmplitudeAtOne * Math.Sqrt(density * angle * CellSize) / CellSize;
         }
@@ -160,7 +211,7 @@ namespace Glint.Core
         // In units.
         double Amplitude(double section, double range, double elevation)
         {
-            var field = _antenna.Field(0, elevation);
+            var field = Antenna.Field(0, elevation);
             return Units * _equation.Amplitude(field, field, Math.Sqrt(section), range).Real;
         }
 

@@ -195,7 +195,7 @@ namespace Glint.Editor
 
         /// <summary>Computes an image of a sweep of looks.</summary>
         public static readonly Command Isar = new Command("isar", "Compute an ISAR image of a scene or a mesh file in "
-            + "dBsm from a sweep of small angles, and write image.csv, image.npz, a PNG file for each polarisation, "
+            + "dBsm from a sweep of small angles or a track of the radar, and write image.csv, image.npz, a PNG file for each polarisation, "
             + "responses.npy, echo.npz and results.json.")
         {
             Options = EchoOptions.AllOfImage,
@@ -215,7 +215,9 @@ namespace Glint.Editor
             Examples = new[]
                 {
                     Example("isar ship.stl --unit mm --up z --azimuth 29:31:0.01 --bandwidth 300e6 --polarisation vv",
-                        "An image with bins of 0.5 m in range and 0.43 m in cross range.")
+                        "An image with bins of 0.5 m in range and 0.43 m in cross range."),
+                    Example("isar ship.stl --unit mm --up z --azimuth 30 --elevation 20 --range 2000 --track -35:35:0.35 "
+                        + "--bandwidth 300e6 --polarisation vv", "Spotlight SAR from a track of 70 m, 2 km away.")
                 }
         };
 

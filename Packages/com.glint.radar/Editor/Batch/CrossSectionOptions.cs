@@ -155,7 +155,13 @@ namespace Glint.Editor
         {
             double[] azimuths = line.Get(Azimuth), elevations = line.Get(Elevation);
             CrossSectionPlan plan;
-            if (line.Get(Receivers) is double[] receivers)
+            if (line.Get(EchoOptions.Track) is double[] places)
+                plan = azimuths.Length * elevations.Length == 1
+                    ? new CrossSectionPlan(new RadarTrack(places, azimuths[0], elevations[0], line.Get(Range).Value),
+                        frequencies)
+                    : throw new UsageException($"{EchoOptions.Track.Flag}: its middle has one azimuth and one elevation: "
+                        + $"give one for {Azimuth.Flag} and for {Elevation.Flag}");
+            else if (line.Get(Receivers) is double[] receivers)
                 plan = elevations.Length == 1
                     ? new CrossSectionPlan(azimuths, elevations, frequencies, receivers, elevations[0], pulses)
                     : throw new UsageException($"{Elevation.Flag}: has {elevations.Length} values: give one with "

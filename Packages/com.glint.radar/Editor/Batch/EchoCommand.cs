@@ -103,14 +103,13 @@ namespace Glint.Editor
         static IsarSettings ImageOf(CommandLine line, CrossSectionSetup setup, string name, IProgressSink progress)
         {
             var band = setup.Echo.BandOf(setup.Plan);
-            double[] looks = line.Get(CrossSectionOptions.Azimuth);
-            var image = EchoOptions.ImageOf(line, band, setup.Extent);
-            double bin = EchoOptions.CrossBin(band, looks), unambiguous = looks.Length * bin;
+            var image = EchoOptions.ImageOf(line, band, setup.Plan, setup.Extent);
+            double bin = EchoOptions.CrossBin(band, setup.Plan), unambiguous = setup.Plan.Poses * bin;
             progress.Print(FormattableString.Invariant(
                 $"image {image.Side:g5} m wide, {image.Pixels} x {image.Pixels} pixels, cross-range bin {bin:g4} m, unambiguous cross range {unambiguous:g5} m"));
             if (unambiguous < 2 * setup.Extent)
                 Debug.LogWarning(FormattableString.Invariant(
-                    $"{name}: the unambiguous cross range is {unambiguous:g4} m, but the target may take {2 * setup.Extent:g4} m: parts may be folded over others; give a smaller step for {CrossSectionOptions.Azimuth.Flag}"));
+                    $"{name}: the unambiguous cross range is {unambiguous:g4} m, but the target may take {2 * setup.Extent:g4} m: parts may be folded over others; give a smaller step for {(line.IsGiven(EchoOptions.Track) ? EchoOptions.Track : (Option)CrossSectionOptions.Azimuth).Flag}"));
             return image;
         }
 
@@ -168,6 +167,9 @@ namespace Glint.Editor
                     (IReadOnlyList<Complex>)new ArraySegment<Complex>(responses, pulse * frequencies, frequencies))
                         .ToArray());
             int cell = EchoPeak.Of(cells);
+            // HV and VH of a symmetric target have no highest place.
+            if (cells[cell] == Complex.Zero)
+                return $"{"-",10}{"-",10}" + (_doppler == null ? "" : $"{"-",10}");
             return $"{CrossSectionTable.Level(cells[cell]),10}"
                 + FormattableString.Invariant($"{_range.RangeOf(cell % _range.Cells),10:0.000}")
                 + (_doppler == null

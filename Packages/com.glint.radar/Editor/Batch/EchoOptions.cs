@@ -212,26 +212,39 @@ namespace Glint.Editor
                 Help = "Side of a pixel in metres. Without it: half of the finer of the two bins."
             };
 
+        /// <summary>Places of the radar on a track, metres; null when not given: azimuths at an infinite range.</summary>
+        public static readonly Option<double[]> Track = Options.Needing(CrossSectionOptions.Range, new Option<double[]>(
+            "track", "LIST", new NumberList("place", Interval.Closed(-1e6, 1e6), "metres", ("-50:50:0.5", "-1,0,1")).Read)
+        {
+            Group = ImageGroup,
+            Range = "each from -1e6 to 1e6",
+            Help = "Places of the radar on a straight, level track, as a range in metres, to the right of its middle. The "
+                + "middle has --azimuth, --elevation and --range; the radar looks at the phase centre from everywhere "
+                + "(spotlight SAR). Each place takes a trace."
+        });
+
         /// <summary>All options of <c>glint isar</c>, in the order of the help.</summary>
         public static readonly Option[] AllOfImage = All.Where(option => option != CrossSectionOptions.Bistatic
-            && option != CrossSectionOptions.Receivers && option != CrossSectionOptions.Range
-            && option.Group != PulseGroup && option.Group != RadarGroup && option.Group != DetectionGroup)
-            .Concat(new Option[] { Side, Pixel }).ToArray();
+            && option != CrossSectionOptions.Receivers && option.Group != PulseGroup && option.Group != RadarGroup && option.Group != DetectionGroup)
+            .Concat(new Option[] { Track, Side, Pixel }).ToArray();
 
         /// <summary>The image of a command line.</summary>
         /// <param name="band">The band of the plan.</param>
+        /// <param name="plan">Of the command line.</param>
         /// <param name="extent">Distance of the target's farthest corner from the phase centre, metres.</param>
         /// <exception cref="UsageException">The looks make no image, or it has too many pixels.</exception>
-        public static IsarSettings ImageOf(CommandLine line, FrequencyBand band, double extent)
+        public static IsarSettings ImageOf(CommandLine line, FrequencyBand band, CrossSectionPlan plan, double extent)
         {
-            double[] looks = line.Get(CrossSectionOptions.Azimuth);
-            double step = looks.Length < 2 ? 0 : (looks[looks.Length - 1] - looks[0]) / (looks.Length - 1);
-            if (step == 0 || looks.Where((look, i) => Math.Abs(look - looks[0] - i * step) > 1e-6).Any())
-                throw new UsageException($"{CrossSectionOptions.Azimuth.Flag}: an image takes at least two azimuths at "
-                    + "equal steps: give FROM:TO:STEP, such as -1:1:0.05");
+            if (line.IsGiven(Track))
+                RequireSteps(Track, line.Get(Track), "places", "-50:50:0.5");
+            else
+                RequireSteps(CrossSectionOptions.Azimuth, line.Get(CrossSectionOptions.Azimuth), "azimuths", "-1:1:0.05");
             if (line.Get(CrossSectionOptions.Elevation).Length > 1)
                 throw new UsageException($"{CrossSectionOptions.Elevation.Flag}: an image takes one elevation");
-            double finer = Math.Min(band.RangeResolution, CrossBin(band, looks)), side = line.Get(Side) ?? 2 * extent,
+            if (line.IsGiven(CrossSectionOptions.Range) && !line.IsGiven(Track))
+                throw new UsageException($"{CrossSectionOptions.Range.Flag}: an image of azimuths is one from far away: give "
+                    + $"{Track.Flag} {Track.ValueName} too, or leave the range out");
+            double finer = Math.Min(band.RangeResolution, CrossBin(band, plan)), side = line.Get(Side) ?? 2 * extent,
                 pixels = Math.Max(1, Math.Ceiling(side / (line.Get(Pixel) ?? finer / 2)));
             return pixels <= IsarTransform.MaxPixels
                 ? new IsarSettings { Side = side, Pixels = (int)pixels }
@@ -239,9 +252,18 @@ namespace Glint.Editor
                     $"the image has {pixels:0} pixels along a side, at most {IsarTransform.MaxPixels} are possible: give a smaller {Side.Flag}, or a larger {Pixel.Flag}"));
         }
 
+        static void RequireSteps(Option option, double[] values, string noun, string example)
+        {
+            double step = values.Length < 2 ? 0 : (values[values.Length - 1] - values[0]) / (values.Length - 1);
+            if (step == 0 || values.Where((value, i) => Math.Abs(value - values[0] - i * step) > 1e-6).Any())
+                throw new UsageException($"{option.Flag}: an image takes at least two {noun} at equal steps: give "
+                    + $"FROM:TO:STEP, such as {example}");
+        }
+
         /// <summary>lambda / 2 over the angle of all looks, metres: a bin of cross range.</summary>
-        public static double CrossBin(FrequencyBand band, double[] looks) => Signal.Wavelength(band.Centre)
-            / (2 * looks.Length / (looks.Length - 1.0) * Math.Abs(looks[looks.Length - 1] - looks[0]) * Math.PI / 180);
+        public static double CrossBin(FrequencyBand band, CrossSectionPlan plan) => Signal.Wavelength(band.Centre)
+            / (2 * plan.Poses / (plan.Poses - 1.0) * Math.PI / 180
+                * Math.Abs(plan[plan.Count - 1].AzimuthDegrees - plan[0].AzimuthDegrees));
 
         /// <summary>What is made of the responses.</summary>
         /// <exception cref="UsageException">The band begins below 0 Hz.</exception>
@@ -302,7 +324,7 @@ namespace Glint.Editor
             catch (Exception problem) when (problem is FormatException || problem is IOException
                 || problem is UnauthorizedAccessException || problem is GlintException)
             {
-                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(path)}: {problem.Message}; give one of "
+                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(path)}: {problem.Message.TrimEnd('.')}; give one of "
                     + $"{string.Join(", ", EchoAntenna.Names)}, or a file with such a table");
             }
         }

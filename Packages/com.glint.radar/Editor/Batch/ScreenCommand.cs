@@ -166,10 +166,10 @@ namespace Glint.Editor
                 Directory.CreateDirectory(Path.GetDirectoryName(path));
                 _file = File.Create(path);
             }
-            catch
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
             {
                 Dispose();
-                throw;
+                throw ScreenFiles.Refusal(path, error, $"name another file with {ScreenOptions.Asterix.Flag}");
             }
             Paths = new[] { path };
         }

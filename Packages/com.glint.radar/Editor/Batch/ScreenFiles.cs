@@ -47,10 +47,21 @@ namespace Glint.Editor
         void Write(string name, Action<Stream> write)
         {
             string path = Path.Combine(_folder, name);
-            using (var file = File.Create(path))
-                write(file);
+            try
+            {
+                using (var file = File.Create(path))
+                    write(file);
+            }
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
+            {
+                throw Refusal(path, error, "choose another results folder");
+            }
             _paths.Add(path);
         }
+
+        /// <summary>The refusal of a path that takes no file.</summary>
+        public static GlintException Refusal(string path, Exception error, string wayOut) =>
+            new GlintException($"{path}: cannot be written: {error.Message.TrimEnd('.')}; {wayOut}", error);
 
         void WriteDescription(Stream file)
         {
@@ -84,12 +95,15 @@ namespace Glint.Editor
         RunInfo Describe()
         {
             var info = RunDescription.OfMachine();
+            (info.Objects, info.Triangles) = (_screen.ObjectCount, _screen.TriangleCount);
             (info.ScenePath, info.Command) = (_line.Input, Batch.ArgumentsOf(_line));
             (info.StartedUtc, info.ElapsedMs) = (_startedUtc, (DateTime.UtcNow - _startedUtc).TotalMilliseconds);
             info.Settings.Add(new RunSetting("turns", _line.Get(ScreenOptions.Turns), "1"));
             info.Settings.Add(new RunSetting("frames_a_second", _line.Get(ScreenOptions.FrameRate), "1"));
             info.Settings.Add(new RunSetting("time_before", _line.Get(ScreenOptions.Time), "s"));
             Add(info, ScreenRadar.Measures, _screen.Radar);
+            info.Settings.Add(new RunSetting("pattern", _screen.Radar.Pattern.ToString().ToLowerInvariant()));
+            info.Settings.Add(new RunSetting("interfering_radars", SceneSearch.FindEnabled<InterferingRadar>().Length, "1"));
             info.Settings.Add(new RunSetting("polarisation", _screen.Radar.Polarisation.ToString().ToLowerInvariant()));
             Add(info, ScreenReceiver.Measures, _screen.Receiver);
             info.Settings.Add(new RunSetting("trail_motion",

@@ -11,6 +11,8 @@ namespace Glint.Editor
         /// <summary>Labels and tooltips of the fields of <see cref="ScreenRadar"/>, in their order.</summary>
         public static readonly (string field, string label, string tooltip)[] Radar = ScreenRadar.Measures
             .Select(measure => measure.Row)
+            .Append((nameof(ScreenRadar.Pattern), "Pattern", "Pattern of the antenna. Beam widths are those of the "
+                + "analytic ones; Table has its own, in Pattern Table."))
             .Append((nameof(ScreenRadar.Polarisation), "Polarisation",
                 "Polarisation of the echo of the sea: that of slotted waveguides is horizontal.")).ToArray();
 
@@ -44,13 +46,15 @@ namespace Glint.Editor
         {
             if (Check(screen) != null)
                 yield break;
-            var geometry = new ScreenGeometry(screen.Radar, screen.name);
+            var geometry = screen.NewGeometry();
             var radar = geometry.Radar;
             yield return ("Cell", FormattableString.Invariant(
                     $"{geometry.CellSize:0.##} m by {360.0 / radar.Spokes:0.###} deg"),
                 "Range cell, and angle between spokes.");
             yield return ("Pulse", FormattableString.Invariant($"{geometry.PulseLength:0.#} m"),
                 "Half of the pulse's length: closer echoes are one.");
+            yield return ("Beam", FormattableString.Invariant($"{geometry.BeamWidth:0.##} deg"),
+                "Width of the beam between the points of half power.");
             yield return ("Noise", FormattableString.Invariant(
                 $"{PowerLevel.ToDecibels(geometry.NoisePower):0.0} dBW"), "Mean power of the receiver's noise.");
             double ofOne = 20 * Math.Log10(geometry.AmplitudeAtOne / ScreenGeometry.UnitsOfNoise);

@@ -94,12 +94,10 @@ namespace Glint.Editor
             while (Math.Pow(transform.Pixels / group, 2) * _echo.Polarisations.Count > MaxLevels)
                 group *= 2;
             int pixels = transform.Pixels / group;
-            double[] azimuths = Enumerable.Range(0, _echo.Directions).Select(look =>
-                _echo.Planned(look).AzimuthDegrees).ToArray();
             return new JObject
             {
                 ["pixels"] = pixels, ["group"] = group, ["start"] = transform.PlaceOf(0.5 * (group - 1)),
-                ["step"] = group * transform.Pixel, ["azimuth"] = 0.5 * (azimuths.First() + azimuths.Last()),
+                ["step"] = group * transform.Pixel, ["azimuth"] = _echo.MiddleAzimuth,
                 ["centre"] = new JArray("xyz".Select(axis =>
                     _run.Info.Settings.First(setting => setting.Name == $"phase_centre_{axis}").Number)),
                 ["levels"] = ReportModel.Base64(_echo.Polarisations.SelectMany(polarisation =>

@@ -33,6 +33,10 @@ namespace Glint
         [SerializeField, Tooltip("Transmitter, antenna and range cells. A change starts the picture again.")]
         ScreenRadar _radar = ScreenRadar.Default;
 
+        [SerializeField, Tooltip("Levels of the antenna, where the radar's Pattern is Table: CSV with the columns "
+            + "angle_deg, azimuth_db and elevation_db.")]
+        TextAsset _patternTable;
+
         [SerializeField, Tooltip("Controls of the receiver.")]
         ScreenReceiver _receiver = ScreenReceiver.Default;
 
@@ -77,11 +81,12 @@ namespace Glint
         readonly HashSet<string> _warned = new HashSet<string>();
         ScreenTargets _targets;
         ScreenPoint[] _points = new ScreenPoint[16];
+        OtherRadar[] _others = new OtherRadar[4];
         Vector3 _tileMiddle;
         double _turns, _headingTurns;
         // Stale: the turn begins again. Changed: settings are checked.
         bool _isStale, _isChanged, _hasFailed;
-        (Sea, ComputeShader, ComputeShader) _madeOf;
+        (Sea, ComputeShader, ComputeShader, TextAsset) _madeOf;
         (int layers, Transform ownShip) _gatheredOf;
 
         /// <summary>
@@ -106,6 +111,12 @@ namespace Glint
             get => _layers;
             set => (_layers, _hasFailed) = (value, false);
         }
+
+        /// <summary>Meshes that are traced; 0 before the first frame.</summary>
+        public int ObjectCount => _scene?.Scene?.Instances.Length ?? 0;
+
+        /// <summary>Their triangles.</summary>
+        public long TriangleCount => _scene?.Scene?.TriangleCount ?? 0;
 
         /// <summary>Points of the meshes' surfaces that echo; 0 before the first frame.</summary>
         public int PointCount => _targets?.Count ?? 0;
@@ -136,6 +147,12 @@ namespace Glint
                 (_radar, _isStale) = (value, true);
             }
         }
+
+        /// <summary>
+        /// The antenna's levels, where the <see cref="Radar"/> has the pattern <see cref="ScreenPattern.Table"/>: a CSV
+        /// file whose first line is angle_deg,azimuth_db,elevation_db.
+        /// </summary>
+        public TextAsset PatternTable { get => _patternTable; set => (_patternTable, _isStale) = (value, true); }
 
         /// <summary>Controls of the receiver.</summary>
         /// <inheritdoc cref="Radar" path="/exception"/>
@@ -189,11 +206,17 @@ namespace Glint
         /// <summary>Spokes, cells and levels of the turn that is shown; null before the first frame.</summary>
         public ScreenGeometry Geometry => _tracer?.Geometry;
 
+        /// <summary>Spokes, cells and levels of the settings.</summary>
+        /// <inheritdoc cref="Radar" path="/exception"/>
+        public ScreenGeometry NewGeometry() => new ScreenGeometry(_radar, Subject, TableText);
+
         internal ScreenTracer Tracer => _tracer;
 
         Transform Own => _ownShip == null ? transform : _ownShip;
 
         string Subject => $"RadarScreen of '{name}'";
+
+        string TableText => _patternTable == null ? null : _patternTable.text;
 
         /// <summary>
         /// Reads the scene's meshes again in the next frame: after new objects, and after changes of meshes, materials
@@ -284,7 +307,8 @@ namespace Glint
             int points = GatherPoints();
             _tracer.AddPoints(_points, points, _waves != null);
             _tracer.AddRain();
-            _tracer.Finish(_receiver, FromWorld(transform.position).xz);
+            SetOtherRadars();
+            _tracer.Finish(_receiver, FromWorld(transform.position).xz, _headingTurns);
             if (_picture == null)
                 return;
             // A device that was lost takes the texture with it.
@@ -314,7 +338,7 @@ namespace Glint
         /// <exception cref="GlintException">The message says which, and the way out.</exception>
         public void Check()
         {
-            _radar.Validate(Subject);
+            NewGeometry();
             _receiver.Validate(Subject);
             _display.Validate(Subject);
             _detection.Validate(Subject);
@@ -356,9 +380,13 @@ namespace Glint
             if (_ownShip != null)
                 FiniteCheck.RefuseNotFinite(_ownShip, Subject);
             _compass = Compass.Find(Subject);
-            _tracer = new ScreenTracer(_kernel, Subject, _radar);
+            double height = transform.position.y - SeaLevel;
+            if (height < 0)
+                Debug.LogWarning(FormattableString.Invariant(
+                    $"{Subject}: its antenna is {-height:0.##} m below the mean level of the sea, which hides nearly everything: move it up, or the sea down"), this);
+            _tracer = new ScreenTracer(_kernel, Subject, _radar, TableText);
             _turns = _headingTurns = Heading();
-            _madeOf = (_sea, _kernel, _seaKernel);
+            _madeOf = (_sea, _kernel, _seaKernel, _patternTable);
             MakeSea();
             (_scene, _targets) = (new FollowedScene(), new ScreenTargets(Subject, _tracer.Geometry));
             GatherTargets();
@@ -452,6 +480,17 @@ namespace Glint
             return count;
         }
 
+        void SetOtherRadars()
+        {
+            var others = InterferingRadar.Enabled;
+            if (_others.Length < others.Count)
+                _others = new OtherRadar[2 * others.Count];
+            var antenna = FromWorld(transform.position);
+            for (int i = 0; i < others.Count; i++)
+                _others[i] = others[i].Seen(FromWorld(others[i].transform.position) - antenna, antenna.y);
+            _tracer.SetOtherRadars(_others, others.Count);
+        }
+
         // Position with north as +Z and the sea at 0.
         double3 FromWorld(Vector3 position)
         {
@@ -482,7 +521,7 @@ namespace Glint
         {
             (_hasFailed, _isChanged) = (false, true);
             _isStale = _isStale || _tracer == null || !_tracer.Geometry.Radar.Equals(_radar)
-                || _madeOf != (_sea, _kernel, _seaKernel) || _picture != null && _picture.width != _display.Side;
+                || _madeOf != (_sea, _kernel, _seaKernel, _patternTable) || _picture != null && _picture.width != _display.Side;
         }
 
         void OnDisable()

@@ -158,7 +158,8 @@ namespace Glint
             double[] frequencies) =>
             new CrossSectionPose
             {
-                Scene = PlacedScene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre, Range = Range,
+                Scene = PlacedScene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre,
+                Range = planned.Range ?? Range,
                 Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
                 CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm,
                 BandCentre = Echo?.BandOf(Plan).Centre,

@@ -86,17 +86,19 @@ namespace Glint
     {
         public float4 Turns, Cells;
         public float2 CentreCell;
-        public float Weight;
-        public uint Unused;
+        public float Weight, Range;
+        public float4 Bend;
 
         public IsarLook(LookSteps steps) : this()
         {
             float4 Steps(double down, double cross) =>
                 new float4((float)down, DoubleFloat.Lo(down), (float)cross, DoubleFloat.Lo(cross));
-            Turns = Steps(steps.TurnsDown, steps.TurnsCross);
-            Cells = Steps(steps.CellsDown, steps.CellsCross);
+            Turns = Steps(steps.TurnsAPixel * steps.AwayDown, steps.TurnsAPixel * steps.AwayCross);
+            Cells = Steps(steps.CellsAPixel * steps.AwayDown, steps.CellsAPixel * steps.AwayCross);
             CentreCell = new float2((float)steps.CentreCell, DoubleFloat.Lo(steps.CentreCell));
             Weight = (float)steps.Weight;
+            Range = double.IsPositiveInfinity(steps.Range) ? 0 : (float)steps.Range;
+            Bend = (float4)new double4(steps.AwayDown, steps.AwayCross, steps.CellsAPixel, steps.TurnsAPixel);
         }
     }
 }

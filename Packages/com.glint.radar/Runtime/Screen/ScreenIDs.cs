@@ -9,11 +9,14 @@ namespace Glint
         public static readonly int _ScreenSlice = Shader.PropertyToID("_ScreenSlice");
         public static readonly int _Echo = Shader.PropertyToID("_Echo");
         public static readonly int _ScreenEcho = Shader.PropertyToID("_ScreenEcho");
+        public static readonly int _RainLoss = Shader.PropertyToID("_RainLoss");
         public static readonly int _ScreenPoints = Shader.PropertyToID("_ScreenPoints");
         public static readonly int _ScreenPointCount = Shader.PropertyToID("_ScreenPointCount");
         public static readonly int _ScreenSea = Shader.PropertyToID("_ScreenSea");
         public static readonly int _ScreenSeaSeed = Shader.PropertyToID("_ScreenSeaSeed");
         public static readonly int _ScreenSeaCorner = Shader.PropertyToID("_ScreenSeaCorner");
+        public static readonly int _SeaMeanView = Shader.PropertyToID("_SeaMeanView");
+        public static readonly int _SeaMeans = Shader.PropertyToID("_SeaMeans");
         public static readonly int _SurfaceSamples = Shader.PropertyToID("_SurfaceSamples");
         public static readonly int _SurfaceSampleCount = Shader.PropertyToID("_SurfaceSampleCount");
         public static readonly int _SurfaceFrames = Shader.PropertyToID("_SurfaceFrames");
@@ -23,6 +26,10 @@ namespace Glint
         public static readonly int _ScreenWaves = Shader.PropertyToID("_ScreenWaves");
         public static readonly int _Echoes = Shader.PropertyToID("_Echoes");
         public static readonly int _BeamWeights = Shader.PropertyToID("_BeamWeights");
+        public static readonly int _ElevationField = Shader.PropertyToID("_ElevationField");
+        public static readonly int _ForeignPulses = Shader.PropertyToID("_ForeignPulses");
+        public static readonly int _ForeignRadars = Shader.PropertyToID("_ForeignRadars");
+        public static readonly int _BlindSector = Shader.PropertyToID("_BlindSector");
         public static readonly int _PulseWeights = Shader.PropertyToID("_PulseWeights");
         public static readonly int _PulseCells = Shader.PropertyToID("_PulseCells");
         public static readonly int _Signals = Shader.PropertyToID("_Signals");

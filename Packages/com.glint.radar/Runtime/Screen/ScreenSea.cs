@@ -22,19 +22,16 @@ namespace Glint
         readonly ScreenGeometry _geometry;
         readonly double _breakingAcceleration;
         readonly DeviceBuffer<float4> _values = new DeviceBuffer<float4>("elements of a table of facets");
+        readonly ScreenSeaLevels _levels = new ScreenSeaLevels();
 
         /// <param name="shader">Shaders/SeaField.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
         /// <exception cref="GlintException">
-        /// A setting is out of its range, the grid of the waves is finer than a field's, the level is that of a
-        /// published model, or the device runs no kernels.
+        /// A setting is out of its range, the grid of the waves is finer than a field's, or the device runs no kernels.
         /// </exception>
         public ScreenSea(ComputeShader shader, string owner, ScreenGeometry geometry, SeaSettings waves,
             in SeaClutterSettings clutter)
         {
-            if (clutter.Level != ClutterLevel.Physics)
-                throw new GlintException($"{owner}: the level {clutter.Level} of its sea's clutter needs a trace of its "
-                    + "own, which a screen does not make: set the sea's Level to Physics");
             // Facets are those of the field's grid.
             (waves.Cells, waves.Choppiness) = (SeaField.Side, 0);
             var surface = new SeaSurface(waves);
@@ -60,15 +57,31 @@ namespace Glint
         /// <summary>Sets what the kernels of Shaders/ScreenSea.hlsl read.</summary>
         /// <param name="radar">Position of the antenna in the sea's frame, metres: y above the mean level.</param>
         /// <param name="northTurns">Rotation about Y from the sea's Z to north, turns.</param>
+        /// <exception cref="GlintException">The published level does not hold for the sea.</exception>
         public void Set(ComputeShader shader, int kernel, double3 radar, double northTurns)
         {
+            SetFacets(shader, kernel);
+            if (!_levels.AreMade)
+                MakeLevels(shader);
+            _levels.Set(shader, kernel);
             _field.SetMarch(shader, kernel, radar);
-            shader.SetBuffer(kernel, SeaIDs._FacetTable, _values.Buffer);
-            shader.SetVector(SeaIDs._SeaWind, _clutter.Wind.ToVector());
-            SeaSigma.SetMirrorPoints(shader, _table);
             shader.SetVector(ScreenIDs._ScreenSea, new Vector4((float)northTurns, FacetsOfACell,
                 (float)_breakingAcceleration, 0));
             shader.SetInt(ScreenIDs._ScreenSeaSeed, (int)_clutter.Seed);
+        }
+
+        void MakeLevels(ComputeShader shader) => _levels.Make(shader, _clutter, _geometry.Radar.Frequency, mean =>
+        {
+            SetFacets(shader, mean);
+            _field.SetMarch(shader, mean, default, double.PositiveInfinity);
+        });
+
+        void SetFacets(ComputeShader shader, int kernel)
+        {
+            shader.SetBuffer(kernel, SeaIDs._FacetTable, _values.Buffer);
+            shader.SetVector(SeaIDs._SeaWind, _clutter.Wind.ToVector());
+            SeaSigma.SetMirrorPoints(shader, _table);
+            shader.SetVector(ScreenIDs._ScreenSea, new Vector4(0, FacetsOfACell, (float)_breakingAcceleration, 0));
             bool isHorizontal = _geometry.Radar.Polarisation == ScreenPolarisation.Horizontal;
             shader.SetVector(ScreenIDs._ScreenSeaCorner, new Vector4(_clutter.Wind.x > 0 ? 0 : 1,
                 _clutter.Wind.z > 0 ? 0 : 1, isHorizontal ? 2 : 0, (float)_geometry.FillFactor));
@@ -88,6 +101,7 @@ namespace Glint
         {
             _field.Dispose();
             _values.Dispose();
+            _levels.Dispose();
         }
     }
 }

@@ -85,7 +85,7 @@ namespace Glint
             shader.SetVector(ScreenIDs._ScreenAntenna,
                 (antenna - _scene.Centre).ToVector((float)(antenna.y - seaLevel)));
             shader.SetVector(ScreenIDs._ScreenNorth, new Vector4((float)Math.Cos(north), (float)Math.Sin(north),
-                (float)(AntennaPattern.GaussianExponent(radar.BeamWidth) / 2), 0));
+                (float)(AntennaPattern.GaussianExponent(_geometry.BeamWidth) / 2), 0));
             shader.SetVector(ScreenIDs._ScreenWaves, new Vector4((float)(1 / Signal.Wavelength(radar.Frequency)),
                 (float)radar.SeaReflection, (float)(1 / (2 * ClutterGeometry.EarthRadius)), 0));
         }

@@ -27,21 +27,28 @@ namespace Glint
         readonly Vector4[] _colours = new Vector4[7];
         readonly DeviceBuffer<ScreenPoint> _pointBuffer = new DeviceBuffer<ScreenPoint>("points of a radar screen");
         readonly DeviceBuffer<float> _beamWeights = new DeviceBuffer<float>("weights of a beam"),
-            _pulseWeights = new DeviceBuffer<float>("weights of a pulse");
+            _pulseWeights = new DeviceBuffer<float>("weights of a pulse"),
+            _elevationField = new DeviceBuffer<float>("fields of a pattern");
+        readonly DeviceBuffer<float4> _foreignPulses = new DeviceBuffer<float4>("pulses of other radars");
+        readonly ScreenInterference _interference;
         readonly DeviceBuffer<float2> _signals = new DeviceBuffer<float2>("signals of a radar screen");
 
         ScreenSlice _current;
+        float4[] _pulses = Array.Empty<float4>();
+        int _foreignRadars;
         // Position of the antenna when trails were written; not a number: there are none.
         double2 _trailPosition = double.NaN;
 
         /// <param name="shader">Shaders/Screen.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
+        /// <param name="table">As of <see cref="ScreenGeometry"/>.</param>
         /// <exception cref="GlintException">
         /// The device runs no kernels, a setting is out of its range, or the device holds no turn of this size.
         /// </exception>
-        public ScreenTracer(ComputeShader shader, string owner, in ScreenRadar radar)
+        public ScreenTracer(ComputeShader shader, string owner, in ScreenRadar radar, string table = null)
         {
-            Geometry = new ScreenGeometry(radar, owner);
+            Geometry = new ScreenGeometry(radar, owner, table);
+            _interference = new ScreenInterference(Geometry);
             DeviceCheck.Require(shader, "Screen", "ScreenBeam", owner);
             _shader = shader;
             _clear = shader.FindKernel("ScreenClear");
@@ -69,6 +76,8 @@ namespace Glint
                 _signals.Reserve((long)_sweep.MaxSpokes * radar.Cells);
                 _beamWeights.Upload(Geometry.Beam);
                 _pulseWeights.Upload(Geometry.Pulse);
+                _elevationField.Upload(Geometry.Elevation);
+                _foreignPulses.Reserve(1);
             }
             catch
             {
@@ -118,7 +127,10 @@ namespace Glint
                 return;
             SetTraced(_shader);
             _shader.SetVector(ScreenIDs._ScreenEcho, new Vector4((float)Geometry.CellSize,
-                (float)Geometry.AmplitudeAtOne, (float)Geometry.ElevationExponent, (float)Geometry.RainAmplitude));
+                (float)Geometry.AmplitudeAtOne,
+                (float)Math.Min(float.MaxValue, Geometry.Radar.UnambiguousRange / Geometry.CellSize),
+                (float)Geometry.RainAmplitude));
+            _shader.SetFloat(ScreenIDs._RainLoss, (float)Geometry.RainLoss);
             _shader.SetBuffer(_clear, ScreenIDs._Echo, Echo.Buffer);
             Dispatch(_clear, 2 * Geometry.Radar.Cells, _current.Traced);
         }
@@ -137,6 +149,7 @@ namespace Glint
             if (_current.Traced == 0)
                 return;
             sea.Set(_shader, _sea, radar, northTurns);
+            _shader.SetBuffer(_sea, ScreenIDs._ElevationField, _elevationField.Buffer);
             sea.Field.SetMarch(_shader, _pointsOverSea, radar);
             sea.Field.SetMarch(_shader, _targetsOverSea, radar);
             _shader.SetBuffer(_sea, ScreenIDs._Echo, Echo.Buffer);
@@ -169,6 +182,7 @@ namespace Glint
                 return;
             int kernel = isOverSea ? _targetsOverSea : _targets;
             targets.Set(_shader, kernel, antenna, seaLevel, northTurns);
+            _shader.SetBuffer(kernel, ScreenIDs._ElevationField, _elevationField.Buffer);
             _shader.SetBuffer(kernel, ScreenIDs._Echo, Echo.Buffer);
             _shader.DispatchThreads(kernel, targets.Count);
         }
@@ -182,11 +196,29 @@ namespace Glint
             Dispatch(_rain, Geometry.Radar.Cells, _current.Traced);
         }
 
+        /// <summary>Sets the other radars whose pulses the frame and later ones receive.</summary>
+        /// <param name="count">Of the radars that are used.</param>
+        public void SetOtherRadars(OtherRadar[] radars, int count)
+        {
+            _foreignRadars = count;
+            if (_pulses.Length < count * _sweep.MaxSpokes)
+            {
+                _pulses = new float4[count * _sweep.MaxSpokes];
+                _foreignPulses.Reserve(_pulses.Length);
+            }
+            for (int spoke = 0; spoke < _current.Finished; spoke++)
+                for (int i = 0; i < count; i++)
+                    _pulses[spoke * count + i] = _interference.PulsesOf(_current.FirstFinished + spoke, radars[i]);
+            if (count * _current.Finished > 0)
+                _foreignPulses.Write(_pulses, 0, 0, count * _current.Finished);
+        }
+
         /// <summary>From the echoes to video and trails of the spokes that the antenna has passed.</summary>
         /// <param name="position">
         /// Of the antenna where true trails keep their place, metres to the east and to the north.
         /// </param>
-        public void Finish(in ScreenReceiver receiver, double2 position = default)
+        /// <param name="headingTurns">True heading of the own ship, from which the blind sector counts.</param>
+        public void Finish(in ScreenReceiver receiver, double2 position = default, double headingTurns = 0)
         {
             if (receiver.TrailMotion == TrailMotion.Relative)
                 position = 0;
@@ -198,6 +230,11 @@ namespace Glint
             _shader.SetBuffer(_beam, ScreenIDs._Echoes, Echo.Buffer);
             _shader.SetBuffer(_beam, ScreenIDs._BeamWeights, _beamWeights.Buffer);
             _shader.SetBuffer(_beam, ScreenIDs._Signals, _signals.Buffer);
+            _shader.SetBuffer(_beam, ScreenIDs._ForeignPulses, _foreignPulses.Buffer);
+            _shader.SetInt(ScreenIDs._ForeignRadars, _foreignRadars);
+            double blind = headingTurns + Geometry.Radar.BlindFrom / 360;
+            _shader.SetVector(ScreenIDs._BlindSector, new Vector4((float)(blind - Math.Floor(blind)),
+                (float)(Geometry.Radar.BlindWidth / 360), 0, 0));
             Dispatch(_beam, Geometry.Radar.Cells, _current.Finished);
             _shader.SetBuffer(_level, ScreenIDs._PulseWeights, _pulseWeights.Buffer);
             _shader.SetBuffer(_level, ScreenIDs._Signals, _signals.Buffer);
@@ -264,6 +301,8 @@ namespace Glint
             _pointBuffer.Dispose();
             _beamWeights.Dispose();
             _pulseWeights.Dispose();
+            _elevationField.Dispose();
+            _foreignPulses.Dispose();
             _signals.Dispose();
         }
 

@@ -190,25 +190,14 @@ public sealed class EchoCommandTests : EchoFixture
     [Test]
     public void Isar_OfThreeTrihedrals_HasThemAtTheirPlaces()
     {
-        const double edge = 0.3;
-        (double down, double cross)[] places = [(0, 0), (0, 0.6), (1.2, -0.7)];
-        File.WriteAllText(At("trihedrals.obj"), string.Concat(places.Select((place, i) =>
-            Trihedral(edge, place.cross, place.down, i))));
+        WriteTrihedrals();
         var (isar, output, problem) = TestShell.Run("isar", At("trihedrals.obj"), "--azimuth", "-2.875:2.875:0.25",
             "--bandwidth", "900e6", "--polarisation", "vv", "--edges", "off", "--tolerance", "0.2", "--pixel", "0.04",
             "--out", At("image"));
         Assert.That(isar, Is.Zero, problem);
         Assert.That(output, Does.Contain("cross-range bin 0.1431 m"));
         var table = Table("image/image.csv");
-        foreach (var (down, cross) in places)
-        {
-            var highest = table.Where(line => Math.Abs(Number(line, "down_range_m") - down) < 0.25
-                && Math.Abs(Number(line, "cross_range_m") - cross) < 0.25).MaxBy(line => Number(line, "vv_dbsm"));
-            Assert.That(Number(highest, "down_range_m"), Is.EqualTo(down).Within(0.03));
-            Assert.That(Number(highest, "cross_range_m"), Is.EqualTo(cross).Within(0.03));
-            Assert.That(Number(highest, "vv_dbsm"), Is.EqualTo(
-                10 * Math.Log10(4 * Math.PI * Math.Pow(edge, 4) / (3 * Wavelength * Wavelength))).Within(0.3));
-        }
+        AssertTrihedrals(table, double.PositiveInfinity);
         int pixels = (int)Math.Sqrt(table.Count);
         double[] levels = table.Select(line => Number(line, "vv_dbsm")).ToArray();
         // Near rows are at the bottom.
@@ -230,7 +219,52 @@ public sealed class EchoCommandTests : EchoFixture
         Assert.That((double)data["echo"]["image"]["start"], Is.EqualTo(Number(table[0], "down_range_m")).Within(1e-9));
         // The target's middle is between its corners, and the phase centre at the file's origin.
         Assert.That(data["echo"]["image"]["centre"].Select(each => (double)each), Is.All.EqualTo(0).Within(1e-9));
-        Assert.That((double)data["scene"]["centre"][2], Is.EqualTo((1.2 - edge * Math.Sqrt(1.0 / 3)) / 2).Within(1e-3));
+        Assert.That((double)data["scene"]["centre"][2], Is.EqualTo((1.2 - TrihedralEdge * Math.Sqrt(1.0 / 3)) / 2).Within(1e-3));
+    }
+
+    /// <summary>A track of 2 m, 20 m away: the wave is curved by a wavelength. Parts and a resumption know the track.</summary>
+    [Test]
+    public void Isar_FromATrack_HasTheTrihedralsAtTheirPlaces()
+    {
+        WriteTrihedrals();
+        string[] image = ["isar", At("trihedrals.obj"), "--range", "20", "--track", "-1.001:1.001:0.087", "--bandwidth",
+            "900e6", "--polarisation", "vv", "--edges", "off", "--tolerance", "0.2", "--pixel", "0.04"];
+        var (code, output, problem) = TestShell.Run([.. image, "--azimuth", "0", "--out", At("sar")]);
+        Assert.That(code, Is.Zero, problem);
+        Assert.That(output, Does.Contain("cross-range bin 0.1437 m"));
+        AssertTrihedrals(Table("sar/image.csv"), 20);
+        double[] distance = NumpyReader.Read(At("sar/echo.npz"), "distance").Numbers;
+        Assert.That((distance.Length, distance[0]), Is.EqualTo((24, Math.Sqrt(400 + 1.001 * 1.001))));
+        foreach (int number in new[] { 1, 2 })
+            TestShell.Run([.. image, "--azimuth", "0", "--shard", $"{number}/2", "--out", At($"{number}")]);
+        TestShell.Run("merge", At("1"), At("2"), "--out", At("merged"));
+        Assert.That(File.ReadAllBytes(At("merged/echo.npz")), Is.EqualTo(File.ReadAllBytes(At("sar/echo.npz"))));
+        (code, _, problem) = TestShell.Run([.. image, "--azimuth", "0,1", "--out", At("none")]);
+        Assert.That((code, problem), Is.EqualTo((2, "glint: --track: its middle has one azimuth and one elevation: give one "
+            + $"for --azimuth and for --elevation (see glint isar --help){Environment.NewLine}")));
+        (code, _, problem) = TestShell.Run([.. image, "--azimuth", "0", "--elevation", "90", "--out", At("none")]);
+        Assert.That(problem, Does.Contain("leads over the target"));
+    }
+
+    const double TrihedralEdge = 0.3;
+
+    static readonly (double down, double cross)[] s_trihedrals = [(0, 0), (0, 0.6), (1.2, -0.7)];
+
+    void WriteTrihedrals() => File.WriteAllText(At("trihedrals.obj"), string.Concat(s_trihedrals.Select((place, i) =>
+        Trihedral(TrihedralEdge, place.cross, place.down, i))));
+
+    static void AssertTrihedrals(IReadOnlyList<Dictionary<string, string>> table, double range)
+    {
+        foreach (var (down, cross) in s_trihedrals)
+        {
+            var highest = table.Where(line => Math.Abs(Number(line, "down_range_m") - down) < 0.25
+                && Math.Abs(Number(line, "cross_range_m") - cross) < 0.25).MaxBy(line => Number(line, "vv_dbsm"));
+            Assert.That(Number(highest, "down_range_m"), Is.EqualTo(down).Within(0.03));
+            Assert.That(Number(highest, "cross_range_m"), Is.EqualTo(cross).Within(0.03));
+            // At a finite range those behind the phase centre are weaker.
+            Assert.That(Number(highest, "vv_dbsm") + 40 * Math.Log10(1 + down / range), Is.EqualTo(10 * Math.Log10(
+                4 * Math.PI * Math.Pow(TrihedralEdge, 4) / (3 * Wavelength * Wavelength))).Within(0.3));
+        }
     }
 
     /// <summary>Rows are an array; a killed run leaves whole ones and a part of another.</summary>
@@ -264,6 +298,9 @@ public sealed class EchoCommandTests : EchoFixture
     }
 
     [TestCase("--azimuth is missing", "--out", "x")]
+    [TestCase("--track: needs --range M", "--azimuth", "0", "--track", "-1:1:0.1")]
+    [TestCase("an image of azimuths is one from far away", "--azimuth", "0,1", "--range", "100")]
+    [TestCase("an image takes at least two places at equal steps", "--azimuth", "0", "--range", "100", "--track", "1")]
     [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "1")]
     [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "0,1,3")]
     [TestCase("an image takes one elevation", "--azimuth", "0,1", "--elevation", "0,1")]
@@ -291,6 +328,15 @@ public sealed class EchoCommandTests : EchoFixture
     public void Input_ThatCannotBeComputed_IsRefusedBeforeAnyFile(int code, string message, params string[] options) =>
         AssertRefused(code, message, options);
 
+    // Of an upright plate before the radar HV and VH are 0.
+    [Test]
+    public void Table_OfAPolarisationWithoutAnEcho_HasNoRange()
+    {
+        string output = Run(At("plate.obj"), "--frequencies", "16", "--tolerance", "0.5", "--edges", "off", "--out",
+            At("echo"));
+        Assert.That(output, Does.Match(@"(?m)^ +0 +0 +1[67]\.\d+ +2\.\d+ +- +- +- +- +1[67]\.\d+ +2\.\d+ "));
+    }
+
     [Test]
     public void Frequencies_TooFewForTheTarget_AreWarnedOf()
     {
@@ -309,6 +355,31 @@ public sealed class EchoCommandTests : EchoFixture
         string output = PythonExample.Run("echo.md", "/usr/bin/python3", At("."));
         Assert.That(output, Does.Match(@"^highest: (17\.0|16\.9)\d dBsm at 2\.\d\d m, azimuth 0\.0 deg\n$"));
         Assert.That(File.ReadAllBytes(At("profile.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
+    }
+
+    /// <summary>SciPy reads the arrays of echo.npz in echo.mat, and NumPy the profiles in the SigMF recording.</summary>
+    [Test]
+    [Platform("Linux")]
+    public void Matlab_AndSigMf_AreReadByOtherPrograms()
+    {
+        Run(At("plate.obj"), "--azimuth", "0,10", "--frequencies", "16", "--polarisation", "vv,hh", "--tolerance",
+            "0.5", "--pulses", "4", "--velocity", "0,0,-1", "--mat", "--sigmf", "--out", At("."));
+        string output = PythonExample.RunText("""
+            import json
+            import numpy as np
+            import scipy.io
+            arrays, matlab = np.load("echo.npz"), scipy.io.loadmat("echo.mat")
+            for name in arrays.files:
+                assert np.array_equal(np.squeeze(arrays[name]), np.squeeze(matlab[name]), equal_nan=True), name
+            meta = json.load(open("echo.sigmf-meta"))
+            assert meta["global"]["core:datatype"] == "cf32_le" and meta["global"]["core:version"]
+            samples = np.fromfile("echo.sigmf-data", "<c8")
+            starts = [capture["core:sample_start"] for capture in meta["captures"]]
+            first = samples[starts[0]:starts[1]]
+            assert np.array_equal(first, arrays["profile"][0, 0, 0, 0].astype("<c8"))
+            print(len(arrays.files), len(starts), len(samples) == starts[-1] + len(first))
+            """, "/usr/bin/python3", At("."));
+        Assert.That(output, Does.Match(@"^\d+ 16 True\n$"), "2 directions, 2 polarisations, 4 pulses");
     }
 
     void AssertSame(string folder)

@@ -14,8 +14,14 @@ internal static class PythonExample
     {
         string text = File.ReadAllText(Path.Combine(Project.FindRoot(AppContext.BaseDirectory),
             "Packages/com.glint.radar/Documentation~", page));
+        return RunText(Regex.Match(text, "```python\n(.*?)```", RegexOptions.Singleline).Groups[1].Value, python, folder);
+    }
+
+    /// <summary>The same of a program.</summary>
+    public static string RunText(string program, string python, string folder)
+    {
         string file = Path.Combine(folder, "example.py");
-        File.WriteAllText(file, Regex.Match(text, "```python\n(.*?)```", RegexOptions.Singleline).Groups[1].Value);
+        File.WriteAllText(file, program);
         using var process = Process.Start(new ProcessStartInfo(python, [file])
         {
             WorkingDirectory = folder, RedirectStandardOutput = true, RedirectStandardError = true

@@ -177,6 +177,30 @@ public sealed class ScreenCommandTests
     }
 
     [Test]
+    public void Files_ThatCannotBeWritten_AreRefusedWithTheirName()
+    {
+        string video = Path.Combine(_folder, "video.ast"), output = Path.Combine(_folder, "taken");
+        Directory.CreateDirectory(video);
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--asterix", video, "--out", output);
+        Assert.That(error, Does.StartWith($"glint: {video}: cannot be written: ").And.Contain("another file with --asterix"));
+        Assert.That((code, Directory.Exists(output)), Is.EqualTo((1, false)));
+        Directory.CreateDirectory(Path.Combine(output, "picture.png"));
+        (code, _, error) = TestShell.Run("ppi", _scene, "--turns", "1", "--fps", "2", "--out", output);
+        Assert.That(error, Does.Contain("picture.png: cannot be written: ").And.Contain("choose another results folder"));
+        Assert.That(code, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void RangeScale_BeyondTheUnambiguousRange_IsRefused()
+    {
+        Write("    TurnsAMinute: 24", "    TurnsAMinute: 24\n    PulseRate: 5e5");
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--out", Path.Combine(_folder, "none"));
+        Assert.That(error, Does.StartWith("glint: RadarScreen of 'Radar': at a pulse rate of 500000 Hz the next pulse leaves "
+            + "before echoes from beyond 300 m are back"));
+        Assert.That(code, Is.EqualTo(1));
+    }
+
+    [Test]
     public void FrameRate_BelowTwoFramesATurn_IsRefused()
     {
         Write("    TurnsAMinute: 24", "    TurnsAMinute: 60");

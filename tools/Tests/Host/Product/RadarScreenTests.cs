@@ -28,6 +28,8 @@ public sealed class RadarScreenTests
             var screen = made.AddComponent<RadarScreen>();
             var radar = ScreenRadar.Default;
             (radar.Spokes, radar.Cells, radar.RainRate, radar.RangeScale) = (1024, 64, 5, 500);
+            (radar.Pattern, radar.PulseRate, radar.BlindWidth) = (ScreenPattern.Sinc, 2000, 20);
+            pier.AddComponent<InterferingRadar>();
             var display = ScreenDisplay.Default;
             display.Side = 64;
             var receiver = ScreenReceiver.Default;

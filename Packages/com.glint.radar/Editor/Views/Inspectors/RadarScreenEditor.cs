@@ -15,6 +15,7 @@ namespace Glint.Editor.Views
             inspector.Add(Parts.Group("Scene", Parts.Field("_ownShip", "Own Ship"), Parts.Field("_sea", "Sea"),
                 Parts.Field("_layers", "Layers")));
             inspector.Add(Parts.Struct("_radar", "Radar", ScreenFigures.Radar));
+            inspector.Add(Parts.Field("_patternTable", "Pattern Table"));
             inspector.Add(Parts.Struct("_receiver", "Receiver", ScreenFigures.Receiver));
             inspector.Add(Parts.Struct("_display", "Display", ScreenFigures.Display));
             inspector.Add(Parts.Struct("_detection", "Detection", ScreenFigures.Detection));
