@@ -184,7 +184,7 @@ namespace Glint.Tests
         static double LitBy(double3 from, SurfaceWave[] byPlate, double3 plate) =>
             Width * Height * math.dot(from, plate) / byPlate[0].Towards.y;
 
-        static void AssertNear(in ClutterEcho found, in Sigma0 expected)
+        static void AssertNear(in ClutterEcho echo, in Sigma0 expected)
         {
             void AssertIs(double sigma, double other, double decibels)
             {
@@ -192,9 +192,9 @@ namespace Glint.Tests
                 TestContext.WriteLine($"{Sigma0.Decibels(sigma):0.00} dBsm, off by {difference:0.000} dB");
                 Assert.That(difference, Is.EqualTo(0).Within(decibels));
             }
-            AssertIs(found.SigmaVV, expected.VV, 0.05);
-            AssertIs(found.SigmaHH, expected.HH, 0.05);
-            AssertIs(found.SigmaHV, expected.HV, 0.05);
+            AssertIs(echo.SigmaVV, expected.VV, 0.05);
+            AssertIs(echo.SigmaHH, expected.HH, 0.05);
+            AssertIs(echo.SigmaHV, expected.HV, 0.05);
         }
 
         static ClutterEcho Sum(CrossSectionPose pose)
