@@ -4,8 +4,9 @@
 #include "Footprint.hlsl"
 #include "PhysicalOptics.hlsl"
 
-// Where what ships reflect lights the sea: one thread a ray through a uniform grid over all that is no sea. Each ray that
-// meets the sea after something else is a light; Core/Clutter/ShipSeaEcho.cs sums what the sea scatters of it.
+// Where what ships reflect lights the sea: one thread a ray through a uniform grid over all that is no sea and its image in
+// the sea. Each ray that meets the sea after something else is a light, also if the sea has mirrored it before;
+// Core/Clutter/ShipSeaEcho.cs sums what the sea scatters of it.
 
 // GLINT_SEA_LIGHT: rows of a light (Runtime/Clutter/ShipSeaKernel.cs), bits of floats unless said.
 static const uint LIGHT_PLACE = 0;         // relative to the scene's centre, m; 1 + instance: 0 is no light
@@ -58,9 +59,9 @@ void SeaLights(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     [loop]
     while (AdvanceTube(tube, at))
     {
-        if (at.IsLost || tube.Path.Bounces == 1 && (at.IsSea || !IsInFootprint(tube.Path.Ray.Origin)))
+        if (at.IsLost || tube.Path.Bounces == 1 && !IsInFootprint(tube.Path.Ray.Origin))
             return;
-        if (at.IsSea)
+        if (at.IsSea && tube.HasMetTarget)
         {
             StoreLight(index, tube, at, startSection);
             return;

@@ -133,7 +133,7 @@ namespace Glint.Tests
             var sea = new EndlessSea(pose.Scene, pose.Scene.Seas[0]);
             Assert.That(() => new ClutterLevels(Tracer, ClutterModel.All[0]).TableOf(sea, 9.4e9, 0),
                 Throws.TypeOf<GlintException>().With.Message.Matches(@"^clutter model nrl: the sea state 8\.\d+ must be "
-                    + "from 0 to 6, where Gregers-Hansen and Mital 2012 holds: choose another model, or physics$"));
+                    + "from 0 to 6, where NRL \\(Gregers-Hansen and Mital 2012\\) holds: choose another model, or physics$"));
         }
 
         static MeshInstance At(TestSea sea, double3 position)

@@ -27,7 +27,9 @@ namespace Glint.Tests
         {
             (_size, Cells) = (settings.TileSize, settings.Cells);
             settings.Choppiness = 0;
-            Clutter = new SeaClutter(new SeaSurface(settings), 0, new double3(0, 0, 1), SeaClutterSettings.On);
+            var clutter = SeaClutterSettings.On;
+            clutter.Seed = settings.Seed;
+            Clutter = new SeaClutter(new SeaSurface(settings), 0, new double3(0, 0, 1), clutter);
             var mesh = Clutter.LongWaves.Mesh(0);
             Normals = Enumerable.Range(0, mesh.TriangleCount).Select(t => SeaClutterTests.Normal(mesh, t)).ToArray();
             _heights = Enumerable.Range(0, Cells * Cells).Select(cell => Enumerable.Range(6 * cell, 6)

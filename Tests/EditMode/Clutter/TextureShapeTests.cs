@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
@@ -6,35 +7,55 @@ using NUnit.Framework;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Shapes of the texture of VV against those measured (Ward, Baker and Watts 1990), under the conditions of the page
-    /// clutter.md: a fetch of 200 km, and swell of 2 m and 10 s at 45 degrees to the wind and to the radar, where the
-    /// measured shape is that without swell. A tile of 512 m in facets of 1 m. At 10 degrees across the wind the sea of 7
-    /// and 10 m/s is too even.
+    /// Shapes of the texture of VV against the formula of those measured (Ward, Baker and Watts 1990), a mean of logarithms
+    /// over many seas: so is this, over the seas of the page clutter.md. Tiles of 512 m in facets of 1 m. At 10 degrees
+    /// across the wind the seas of 7 and 10 m/s are too even.
     /// </summary>
+    [Category("Slow")]
     public sealed class TextureShapeTests
     {
-        const double SwellDegrees = 45;
+        const double SwellHeight = 2, SwellPeriod = 10;
+
+        static readonly double[] s_fetches = { 50e3, 200e3, 1000e3 }, s_grazing = { 1, 3, 10 };
+
+        // Degrees to the wind; null: no swell.
+        static readonly double?[] s_swells = { null, 0, 45, 90, 135 };
 
         [TestCase(7, 1)]
         [TestCase(10, 1)]
         [TestCase(15, 0)]
-        public void ShapeVV_IsWithinAFactorOfThree_ButForOneRowOfWeakWinds(double wind, int tooEven)
+        public void ShapeVV_OverManySeas_IsWithinAFactorOfThree_ButForOneRowOfWeakWinds(double wind, int tooEven)
+        {
+            var seas = s_fetches.SelectMany(fetch => s_swells.Select(swell => (fetch, swell)))
+                .Select((it, i) => RatiosOf(Settings(wind, it.fetch, it.swell, 1 + i), it.swell)).ToArray();
+            double[] factors = Enumerable.Range(0, seas[0].Length)
+                .Select(row => Math.Exp(seas.Average(sea => Math.Log(sea[row]))))
+                .Select(ratio => Math.Max(ratio, 1 / ratio)).ToArray();
+            TestContext.WriteLine(FormattableString.Invariant($"against, across: {string.Join(" ", factors.Select(it => it.ToString("0.00")))}"));
+            Array.Sort(factors);
+            Assert.That(factors.Count(factor => factor > 3), Is.AtMost(tooEven));
+            Assert.That(factors.Last(), Is.LessThan(tooEven > 0 ? 3.6 : 3));
+            Assert.That((factors[2] + factors[3]) / 2, Is.LessThan(2), "median");
+        }
+
+        static SeaSettings Settings(double wind, double fetch, double? swell, int seed)
         {
             var settings = SeaSettings.Default;
-            (settings.WindSpeed, settings.Fetch, settings.GridSize, settings.Cells) = (wind, 200e3, 512, 512);
-            (settings.SwellHeight, settings.SwellPeriod, settings.SwellDirectionDegrees) = (2, 10, SwellDegrees);
+            (settings.WindSpeed, settings.Fetch, settings.Seed) = (wind, fetch, seed);
+            (settings.GridSize, settings.Cells) = (512, 512);
+            (settings.SwellHeight, settings.SwellPeriod, settings.SwellDirectionDegrees) =
+                (swell == null ? 0 : SwellHeight, SwellPeriod, swell ?? 0);
+            return settings;
+        }
+
+        // Over the formula, against the wind and across it.
+        static double[] RatiosOf(in SeaSettings settings, double? swell)
+        {
             var sea = new TextureMonteCarlo(settings);
-            double[] factors = new[] { false, true }.SelectMany(isCross => new[] { 2, 5, 10.0 }.Select(grazing =>
-            {
-                double ratio = sea.At(grazing, isCross).VV / ClutterStatistics.EmpiricalShape(grazing,
-                    TextureMonteCarlo.Down * TextureMonteCarlo.Across, false, SwellDegrees);
-                TestContext.WriteLine(FormattableString.Invariant(
-                    $"{(isCross ? "across" : "against")}, {grazing} deg: {ratio:0.00}"));
-                return Math.Max(ratio, 1 / ratio);
-            })).OrderBy(factor => factor).ToArray();
-            Assert.That(factors.Count(factor => factor > 3), Is.AtMost(tooEven));
-            Assert.That(factors.Last(), Is.LessThan(tooEven > 0 ? 4 : 3));
-            Assert.That((factors[2] + factors[3]) / 2, Is.LessThan(2), "median");
+            IEnumerable<double> Of(bool isCross) => s_grazing.Select(grazing => sea.At(grazing, isCross).VV
+                / ClutterStatistics.EmpiricalShape(grazing, TextureMonteCarlo.Down * TextureMonteCarlo.Across, false,
+                    swell is double angle ? angle - (isCross ? 90 : 0) : 45));
+            return Of(false).Concat(Of(true)).ToArray();
         }
     }
 }

@@ -6,11 +6,13 @@ namespace Glint.Core
 {
     /// <summary>
     /// What ripples and mirror points of a sea scatter of one wave into another, at one frequency: small perturbations of
-    /// first order (Rice 1951, Barrick and Peake 1968), and geometrical optics on Gaussian slopes (Barrick 1968). Both are
-    /// symmetric in the waves. Of one wave and its opposite they are <see cref="SeaScattering"/>'s.
+    /// first order (Rice 1951, Barrick and Peake 1968), geometrical optics on Gaussian slopes (Barrick 1968), and breaking
+    /// waves. All are symmetric in the waves. Of one wave and its opposite they are <see cref="SeaScattering"/>'s.
     /// </summary>
     public sealed class BistaticScattering
     {
+        static readonly double3[] s_axes = { new double3(1, 0, 0), new double3(0, 1, 0), new double3(0, 0, 1) };
+
         readonly Complex _permittivity;
         readonly double _waveNumber;
         readonly WaveDensity _density;
@@ -62,6 +64,26 @@ namespace Glint.Core
             double3 mirrored = math.cross(s, a.Towards);
             return (cosine - q) / (cosine + q) * b.Along(s) * a.Along(s)
                 + (_permittivity * cosine - q) / (_permittivity * cosine + q) * b.Along(p) * a.Along(mirrored);
+        }
+
+        /// <summary>The same of a mirror point that loses nothing; symmetric.</summary>
+        public static Complex MirroredWhole(in SurfaceWave a, in SurfaceWave b)
+        {
+            double3 middle = math.normalize(a.Towards + b.Towards);
+            var sum = 2 * a.Along(middle) * b.Along(middle);
+            foreach (var axis in s_axes)
+                sum -= a.Along(axis) * b.Along(axis);
+            return sum;
+        }
+
+        /// <summary>
+        /// Breaking waves per area of breaking surface, over the squared magnitude of <see cref="MirroredWhole"/>: what
+        /// they return to a radar that looks along the slope that mirrors one direction into the other.
+        /// </summary>
+        public static double BreakingPower(double3 towards, double3 otherTowards)
+        {
+            double cosine = math.normalize(towards + otherTowards).y;
+            return cosine > 0 ? SeaScattering.Breaking(cosine) : 0;
         }
 
         /// <summary>

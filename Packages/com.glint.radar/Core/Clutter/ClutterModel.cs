@@ -134,7 +134,7 @@ namespace Glint.Core
     /// </summary>
     sealed class NrlModel : ClutterModel
     {
-        public NrlModel() : base("nrl", "Gregers-Hansen and Mital 2012", Interval.Closed(0.5, 35),
+        public NrlModel() : base("nrl", "NRL (Gregers-Hansen and Mital 2012)", Interval.Closed(0.5, 35),
             Interval.Closed(0.1, 60), Interval.Closed(0, 6))
         {
         }
@@ -160,7 +160,7 @@ namespace Glint.Core
     {
         const double HeightOffset = 0.015, WavelengthOffset = 0.015, AngleOffset = 1e-4;
 
-        public GitModel() : base("git", "Horst, Dyer and Tuley 1978", Interval.Closed(1, 12), Interval.Closed(0.1, 10),
+        public GitModel() : base("git", "GIT (Horst, Dyer and Tuley 1978)", Interval.Closed(1, 12), Interval.Closed(0.1, 10),
             Interval.Closed(1, 6))
         {
         }
@@ -190,7 +190,7 @@ namespace Glint.Core
     {
         const double MetresPerFoot = 0.3048;
 
-        public TscModel() : base("tsc", "TSC, Antipov 1999", Interval.Closed(0.5, 35), Interval.Closed(0.1, 60),
+        public TscModel() : base("tsc", "TSC (Antipov 1999)", Interval.Closed(0.5, 35), Interval.Closed(0.1, 60),
             Interval.Closed(1, 6))
         {
         }
@@ -226,7 +226,7 @@ namespace Glint.Core
     {
         const double Transition = 0.0632, ReferenceDegrees = 0.1, DegreesPerRadian = 180 / Math.PI;
 
-        public HybridModel() : base("hybrid", "Reilly and Dockery 1990", Interval.Closed(3, 35),
+        public HybridModel() : base("hybrid", "hybrid (Reilly and Dockery 1990)", Interval.Closed(3, 35),
             Interval.Closed(0.1, 30), Interval.Closed(1, 5))
         {
         }

@@ -13,6 +13,9 @@ namespace Glint.Core
         /// <summary>Largest grazing angle in degrees of <see cref="EmpiricalShape"/>.</summary>
         public const double MaxGrazingOfShape = 10;
 
+        /// <summary>Frequencies of <see cref="EmpiricalShape"/>, Hz: X band.</summary>
+        public static readonly Interval FrequenciesOfShape = Interval.Closed(8e9, 12e9);
+
         static readonly Interval s_grazing = Interval.Closed(0.1, MaxGrazingOfShape);
 
         /// <summary>

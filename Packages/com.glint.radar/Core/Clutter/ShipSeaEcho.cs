@@ -36,8 +36,8 @@ namespace Glint.Core
 
     /// <summary>
     /// The diffuse echo that ships and sea make together: the sea scatters what a ship has reflected to it towards the radar,
-    /// the same path the other way round, and what returns by way of the ship both times. Rays carry the power, so that the
-    /// sum is that over the lit sea whatever their number.
+    /// the same path the other way round, and what returns by way of the ship both times. The sea may have mirrored the wave
+    /// to the ship. Rays carry the power, so that the sum is that over the lit sea whatever their number.
     /// </summary>
     public sealed class ShipSeaEcho
     {
@@ -151,36 +151,41 @@ namespace Glint.Core
         // Both ways round: their fields are equal for equal polarisations.
         double3 BetweenOf(in SeaLight light, SeaClutter clutter, int number)
         {
-            var scattering = ScatteringOf(clutter);
             var (byShip, direct) = (ByShip(light), Direct(light));
+            if (clutter.BreakingFacets[light.Triangle])
+                return BistaticScattering.BreakingPower(-light.Direction, light.ToRadar) * PowersOf((received, sent) =>
+                    BistaticScattering.MirroredWhole(direct[received], byShip[sent])
+                        + BistaticScattering.MirroredWhole(byShip[received], direct[sent]));
+            var scattering = ScatteringOf(clutter);
             double3 normal = Tilted(light.Normal, clutter, number), towards = -light.Direction;
             double ripples = scattering.RipplePower(towards, light.ToRadar, normal, clutter.Wind, GrowthOf(light, clutter)),
                 mirrors = MirrorsOf(light, clutter);
-            if (ripples == 0 && mirrors == 0)
-                return 0;
-            double Of(int received, int sent)
-            {
-                var coupling = ripples == 0 ? 0 : scattering.Coupling(direct[received], byShip[sent], normal)
-                    + scattering.Coupling(byShip[received], direct[sent], normal);
-                var mirrored = mirrors == 0 ? 0 : scattering.Mirrored(direct[received], byShip[sent])
-                    + scattering.Mirrored(direct[sent], byShip[received]);
-                return ripples * Squared(coupling) + mirrors * Squared(mirrored);
-            }
-            return new double3(Of(0, 0), Of(1, 0), Of(1, 1));
+            double3 coupled = ripples == 0 ? 0 : ripples * PowersOf((received, sent) =>
+                    scattering.Coupling(direct[received], byShip[sent], normal)
+                        + scattering.Coupling(byShip[received], direct[sent], normal)),
+                mirrored = mirrors == 0 ? 0 : mirrors * PowersOf((received, sent) =>
+                    scattering.Mirrored(direct[received], byShip[sent])
+                        + scattering.Mirrored(direct[sent], byShip[received]));
+            return coupled + mirrored;
         }
 
         double3 BackOf(in SeaLight light, SeaClutter clutter, int number)
         {
-            var scattering = ScatteringOf(clutter);
             var byShip = ByShip(light);
-            double3 normal = Tilted(light.Normal, clutter, number), towards = -light.Direction;
+            double3 towards = -light.Direction;
+            if (clutter.BreakingFacets[light.Triangle])
+                return BistaticScattering.BreakingPower(towards, towards) * PowersOf((received, sent) =>
+                    BistaticScattering.MirroredWhole(byShip[received], byShip[sent]));
+            var scattering = ScatteringOf(clutter);
+            double3 normal = Tilted(light.Normal, clutter, number);
             double ripples = scattering.RipplePower(towards, towards, normal, clutter.Wind, GrowthOf(light, clutter));
-            if (ripples == 0)
-                return 0;
-            double Of(int received, int sent) =>
-                ripples * Squared(scattering.Coupling(byShip[received], byShip[sent], normal));
-            return new double3(Of(0, 0), Of(1, 0), Of(1, 1));
+            return ripples == 0 ? 0 : ripples * PowersOf((received, sent) =>
+                scattering.Coupling(byShip[received], byShip[sent], normal));
         }
+
+        // Of fields by the polarisations received and sent, 0: V, 1: H. VV, HV and HH.
+        static double3 PowersOf(Func<int, int, Complex> field) =>
+            new double3(Squared(field(0, 0)), Squared(field(1, 0)), Squared(field(1, 1)));
 
         // The part of the mirrored power that unresolved heights take from the mirrored field.
         double MirrorsOf(in SeaLight light, SeaClutter clutter)

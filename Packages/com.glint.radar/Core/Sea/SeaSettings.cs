@@ -153,7 +153,8 @@ namespace Glint.Core
             if (Kind == SeaSpectrumKind.Phillips && SignificantWaveHeight == 0)
                 throw new GlintException($"{subject}: significant wave height 0 m, that of the wind, is not defined "
                     + "for the Phillips spectrum: give the height, or another spectrum");
-            Check(subject, "wind speed", WindSpeed, Winds, " m/s", "turn the wind by its direction, not by its sign");
+            Check(subject, "wind speed", WindSpeed, Winds, " m/s",
+                "it shapes the waves, also those of a requested height; turn it by its direction, not by its sign");
             Check(subject, "wind direction", WindDirectionDegrees, Directions, " deg", "give it as a rotation about Y");
             Check(subject, "choppiness", Choppiness, Choppinesses, "",
                 "0 has no horizontal displacement, 1 that of deep-water waves");

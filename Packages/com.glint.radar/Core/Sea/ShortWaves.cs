@@ -35,7 +35,7 @@ namespace Glint.Core
             var settings = longWaves.Settings;
             Wind = wind == 0 ? DefaultWind(settings) : wind;
             if (!Elfouhaily.Winds.Contains(Wind))
-                throw new GlintException($"sea: clutter wind {RadarSettings.Text(Wind)} m/s"
+                throw new GlintException(FormattableString.Invariant($"sea: clutter wind {Wind:0.###} m/s")
                     + (wind == 0 ? $", that of waves of {RadarSettings.Text(settings.SignificantWaveHeight)} m," : "")
                     + $" must be {Elfouhaily.Winds}, the range of Elfouhaily's spectrum: give a clutter wind in that "
                     + "range");

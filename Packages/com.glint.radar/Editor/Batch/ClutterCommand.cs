@@ -102,7 +102,8 @@ namespace Glint.Editor
             var at = row.Conditions;
             row.Models = models.Select(model =>
                 (model.DecibelsOrNull(Polarisation.VV, at), model.DecibelsOrNull(Polarisation.HH, at))).ToArray();
-            if (at.GrazingDegrees > ClutterStatistics.MaxGrazingOfShape)
+            if (at.GrazingDegrees > ClutterStatistics.MaxGrazingOfShape
+                || !ClutterStatistics.FrequenciesOfShape.Contains(at.Frequency))
                 return;
             double Measured(bool isHorizontal) => ClutterStatistics.EmpiricalShape(at.GrazingDegrees,
                 setup.Cell.x * setup.Cell.y, isHorizontal, swellDegrees);

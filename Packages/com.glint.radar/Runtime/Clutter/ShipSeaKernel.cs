@@ -14,7 +14,7 @@ namespace Glint
         /// <summary>Rows of a light: LIGHT_ROWS.</summary>
         public const int Rows = 10;
 
-        const int Rays = 1 << 16;
+        const int Rays = 1 << 17;
 
         // Cells across a first grid, which gives the area that the rays share.
         const double RoughCells = 16;
@@ -31,10 +31,15 @@ namespace Glint
         /// <summary>The echo of a pose's seas and all else at each sample; null where there is nothing else.</summary>
         public ClutterEcho[] Sum(DeviceScene scene, SurfaceBuffers surfaces, CrossSectionPose pose)
         {
-            var seas = new HashSet<int>(pose.Scene.Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
-            var (min, max) = new RadarScene(pose.Scene.Instances.Where((_, i) => !seas.Contains(i)).ToArray()).Bound();
+            var tiles = new HashSet<int>(pose.Scene.Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
+            var (min, max) = new RadarScene(pose.Scene.Instances.Where((_, i) => !tiles.Contains(i)).ToArray()).Bound();
             if (!(min.x <= max.x))
                 return null;
+            // With the image in the water: on a curved earth the level is that of the nearest tile.
+            double3 middle = (min + max) / 2;
+            double level = tiles.Select(tile => pose.Scene.Instances[tile].ToWorld.Origin)
+                .OrderBy(origin => math.distance(origin, middle)).First().y;
+            min.y = Math.Min(min.y, 2 * level - max.y);
             var grid = GridOf(pose, scene, min, max);
             Bind(scene, surfaces, pose, grid);
             int count = (int)grid.Count;
