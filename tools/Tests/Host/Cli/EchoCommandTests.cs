@@ -243,6 +243,7 @@ public sealed class EchoCommandTests : EchoFixture
         Assert.That((code, problem), Is.EqualTo((2, "glint: --track: its middle has one azimuth and one elevation: give one "
             + $"for --azimuth and for --elevation (see glint isar --help){Environment.NewLine}")));
         (code, _, problem) = TestShell.Run([.. image, "--azimuth", "0", "--elevation", "90", "--out", At("none")]);
+        Assert.That(code, Is.Not.Zero);
         Assert.That(problem, Does.Contain("leads over the target"));
     }
 
