@@ -52,8 +52,9 @@ namespace Glint.Core
                 beam = 2 * Math.PI * _geometry.InTurn(spoke) / _geometry.Radar.Spokes,
                 otherBeam = 2 * Math.PI * (other.StartTurns + time * other.TurnsAMinute / 60);
             var antenna = _geometry.Antenna;
-            return _fieldAtOne * Math.Sqrt(other.Power) / range * Math.Exp(-_geometry.RainLoss * range) * (antenna.Field(bearing - beam, elevation)
-                * antenna.Field(bearing + Math.PI - otherBeam, -elevation)).Magnitude;
+            var gain = antenna.Field(bearing - beam, elevation)
+                * antenna.Field(bearing + Math.PI - otherBeam, -elevation);
+            return _fieldAtOne * Math.Sqrt(other.Power) / range * Math.Exp(-_geometry.RainLoss * range) * gain.Magnitude;
         }
     }
 

@@ -225,7 +225,8 @@ namespace Glint.Editor
 
         /// <summary>All options of <c>glint isar</c>, in the order of the help.</summary>
         public static readonly Option[] AllOfImage = All.Where(option => option != CrossSectionOptions.Bistatic
-            && option != CrossSectionOptions.Receivers && option.Group != PulseGroup && option.Group != RadarGroup && option.Group != DetectionGroup)
+            && option != CrossSectionOptions.Receivers && option.Group != PulseGroup && option.Group != RadarGroup
+            && option.Group != DetectionGroup)
             .Concat(new Option[] { Track, Side, Pixel }).ToArray();
 
         /// <summary>The image of a command line.</summary>

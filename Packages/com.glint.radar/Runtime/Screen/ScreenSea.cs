@@ -60,28 +60,27 @@ namespace Glint
         /// <exception cref="GlintException">The published level does not hold for the sea.</exception>
         public void Set(ComputeShader shader, int kernel, double3 radar, double northTurns)
         {
-            SetFacets(shader, kernel);
             if (!_levels.AreMade)
                 MakeLevels(shader);
+            SetFacets(shader, kernel, northTurns);
             _levels.Set(shader, kernel);
             _field.SetMarch(shader, kernel, radar);
-            shader.SetVector(ScreenIDs._ScreenSea, new Vector4((float)northTurns, FacetsOfACell,
-                (float)_breakingAcceleration, 0));
             shader.SetInt(ScreenIDs._ScreenSeaSeed, (int)_clutter.Seed);
         }
 
         void MakeLevels(ComputeShader shader) => _levels.Make(shader, _clutter, _geometry.Radar.Frequency, mean =>
         {
-            SetFacets(shader, mean);
+            SetFacets(shader, mean, 0);
             _field.SetMarch(shader, mean, default, double.PositiveInfinity);
         });
 
-        void SetFacets(ComputeShader shader, int kernel)
+        void SetFacets(ComputeShader shader, int kernel, double northTurns)
         {
             shader.SetBuffer(kernel, SeaIDs._FacetTable, _values.Buffer);
             shader.SetVector(SeaIDs._SeaWind, _clutter.Wind.ToVector());
             SeaSigma.SetMirrorPoints(shader, _table);
-            shader.SetVector(ScreenIDs._ScreenSea, new Vector4(0, FacetsOfACell, (float)_breakingAcceleration, 0));
+            shader.SetVector(ScreenIDs._ScreenSea, new Vector4((float)northTurns, FacetsOfACell,
+                (float)_breakingAcceleration, 0));
             bool isHorizontal = _geometry.Radar.Polarisation == ScreenPolarisation.Horizontal;
             shader.SetVector(ScreenIDs._ScreenSeaCorner, new Vector4(_clutter.Wind.x > 0 ? 0 : 1,
                 _clutter.Wind.z > 0 ? 0 : 1, isHorizontal ? 2 : 0, (float)_geometry.FillFactor));
