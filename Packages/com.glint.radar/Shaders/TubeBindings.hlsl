@@ -26,7 +26,7 @@ static const uint POSE_COUNT_WORDS = 4;
 static const uint POSE_TUBES = 0;          // tubes,
 static const uint POSE_RAYS = 1;           // rays traced in cells and at edges,
 static const uint POSE_BORDER_RAYS = 2;    // rays traced at borders
-static const uint POSE_COPIES = 16;        // of these counts: additions to one word wait for each other
+static const uint POSE_PARTS = 16;         // of a slice, by the order of its base cells: each has counts of its own
 static const uint TUBE_SUMS = 8216;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
@@ -240,19 +240,21 @@ uint SlotOfAll(uint slot)
     return s_pose * _SlotCount + slot;
 }
 
-static uint s_group = 0;                   // of this thread
+static uint s_part = 0;                    // of the slice, in which this thread counts
 
-// Number of a thread of a kernel that counts.
-uint CountingThread(uint3 group, uint thread)
+// Counts what this thread does beside a base cell of its pose's slice, or beside a corner of one.
+void CountAt(uint2 place)
 {
-    s_group = group.x;
-    return IndexOf(group, thread);
+    uint4 slice = _Poses[s_pose].Slice;
+    uint across = _Poses[s_pose].Cells.x;
+    uint2 inSlice = place - uint2(slice.x % across, slice.x / across);
+    s_part = min((inSlice.x + inSlice.y * slice.z) * POSE_PARTS / slice.y, POSE_PARTS - 1);
 }
 
 // Word of a count of this thread's pose.
 uint CountWord(uint count)
 {
-    return POSE_COUNTS + POSE_COUNT_WORDS * (s_group % POSE_COPIES * MAX_POSES + s_pose) + count;
+    return POSE_COUNTS + POSE_COUNT_WORDS * (s_part * MAX_POSES + s_pose) + count;
 }
 
 RWStructuredBuffer<Tube> _Tubes;

@@ -13,7 +13,7 @@
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = CountingThread(group, thread), which = index & 1;
+    uint index = IndexOf(group, thread), which = index & 1;
     if (index >= 2 * CountOfList(TUBE_BORDERS, _ListCapacity.z))
         return;
     uint listed = ElementOfList(TUBE_BORDERS, index / 2, 1, _ListCapacity.z);

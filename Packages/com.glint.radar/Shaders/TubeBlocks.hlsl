@@ -51,6 +51,7 @@ Cell LoadBaseCell(uint index)
     cell.Position = SliceStart() + uint2(inSlice % slice.z, inSlice / slice.z);
     cell.Pose = s_pose;
     cell.Number = index;
+    CountAt(cell.Position);
     return cell;
 }
 
@@ -62,6 +63,7 @@ Cell LoadCell(uint index)
     Cell cell = _TubeCells[ElementOfList(TUBE_CELLS, index, BLOCK_CELLS, _ListCapacity.y)];
     cell.Number = index;
     s_pose = cell.Pose;
+    CountAt(cell.Position >> cell.Level);
     return cell;
 }
 

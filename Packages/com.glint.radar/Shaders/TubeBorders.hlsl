@@ -79,7 +79,7 @@ void AddMissed(Cell cell)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = BorderOfThread(CountingThread(group, thread));
+    uint index = BorderOfThread(IndexOf(group, thread));
     if (index == NO_BORDER)
         return;
     Cell cell = LoadBorder(index);

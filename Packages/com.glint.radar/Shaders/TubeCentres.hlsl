@@ -11,7 +11,7 @@
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = CountingThread(group, thread);
+    uint index = IndexOf(group, thread);
     if (index >= CountOfList(TUBE_CENTRES, _ListCapacity.w))
         return;
     uint centre = ElementOfList(TUBE_CENTRES, index, 1, _ListCapacity.w);

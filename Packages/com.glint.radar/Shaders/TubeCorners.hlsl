@@ -44,6 +44,7 @@ CornerPosition PositionOf(uint index)
         uint across = SliceSize().x + 1, number = index - _Poses[s_pose].FirstCorner;
         uint2 inSlice = uint2(number % across, number / across), corner = SliceStart() + inSlice;
         position.OnGrid = corner;
+        CountAt(corner);
         position.IsNeeded = HasBaseCell(corner);
         position.IsCounted = all(inSlice > 0 || corner == 0);
         return position;
@@ -76,7 +77,7 @@ void CopyCorner(uint from, uint to)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = CountingThread(group, thread), bounces = 0;
+    uint index = IndexOf(group, thread), bounces = 0;
     if (index >= CornerCount())
         return;
     CornerPosition position = PositionOf(index);

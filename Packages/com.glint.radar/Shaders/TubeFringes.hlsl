@@ -176,7 +176,7 @@ float3 RateAt(EdgePiece piece, float2 part, uint index)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint number = CountingThread(group, thread), index = number % _ReceiverCount;
+    uint number = IndexOf(group, thread), index = number % _ReceiverCount;
     if (!TakeOfPose(number, _EdgeRange.y * _ReceiverCount))
         return;
     EdgePiece piece = _EdgePieces[_EdgeRange.x + number / _ReceiverCount];
@@ -191,6 +191,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         float2 seen = LitPart(piece, query == 0 ? _ReceiverCount : index, rays);
         part = float2(max(part.x, seen.x), min(part.y, seen.y));
     }
+    // Additions to one word wait for each other.
+    s_part = group.x % POSE_PARTS;
     AddTo(CountWord(POSE_RAYS), rays);
     if (part.x >= part.y)
         return;

@@ -63,6 +63,7 @@ Cell LoadBorder(uint index)
 {
     Cell cell = _Borders[index];
     s_pose = cell.Pose;
+    CountAt(cell.Position >> cell.Level);
     return cell;
 }
 

@@ -24,7 +24,7 @@ float2 PlaceBeside(Cell cell, uint side)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = CountingThread(group, thread);
+    uint index = IndexOf(group, thread);
     if (index >= min(_Sums[TUBE_OUTLINES], _ListCapacity.x))
         return;
     uint2 ray = _Outlines[index];

@@ -13,7 +13,7 @@ float4 _FirstPoint;                        // xy: of a base cell, in spacings of
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = CountingThread(group, thread), inCell = _PointsAcross * _PointsAcross, number = index % inCell;
+    uint index = IndexOf(group, thread), inCell = _PointsAcross * _PointsAcross, number = index % inCell;
     if (index >= _BaseCounts.x * inCell)
         return;
     Cell cell = LoadBaseCell(index / inCell);

@@ -90,7 +90,7 @@ namespace Glint.Tests
                 {
                     ["TUBE_COUNT"] = TubeSums.Count, ["TUBE_OVERFLOW"] = TubeSums.Overflow,
                     ["MAX_POSES"] = TubeKernels.MaxPoses, ["POSE_COUNTS"] = TubeSums.FirstPose,
-                    ["POSE_COUNT_WORDS"] = TubeSums.PoseWords, ["POSE_COPIES"] = TubeSums.PoseCopies, ["POSE_TUBES"] = TubeSums.PoseTubes,
+                    ["POSE_COUNT_WORDS"] = TubeSums.PoseWords, ["POSE_PARTS"] = TubeSums.PoseParts, ["POSE_TUBES"] = TubeSums.PoseTubes,
                     ["POSE_RAYS"] = TubeSums.PoseRays, ["POSE_BORDER_RAYS"] = TubeSums.PoseBorderRays,
                     ["TUBE_SUMS"] = TubeKernels.FirstSum, ["RECEIVER_ROWS"] = 3,
                     ["TUBE_SUM_WORDS"] = TubeKernels.SumWords,
@@ -157,7 +157,7 @@ namespace Glint.Tests
                     .SelectMany(name => new[] { constants["TUBE_" + name], constants["TUBE_" + name] + 1 })).ToArray();
             Assert.That(counts, Is.Unique);
             Assert.That(counts, Is.All.LessThan(TubeSums.FirstPose));
-            Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeSums.PoseCopies * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));
+            Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeSums.PoseParts * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));
             Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,

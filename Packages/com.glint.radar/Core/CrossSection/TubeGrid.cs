@@ -28,7 +28,7 @@ namespace Glint.Core
 
         // Side of a cell of a large target, most of whose echo comes from large parts: the outlines of patches show what rays
         // through corners miss. Cells across a target, and across a large one.
-        const double LargeWavelengths = 2, CellsAcross = 16, LargeCellsAcross = 64;
+        const double LargeWavelengths = 3, CellsAcross = 16, LargeCellsAcross = 64;
 
         // Maximum side of a cell at a finite range, as a fraction of sqrt(wavelength x range).
         const double MaxNearSide = 0.22;
@@ -164,7 +164,7 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Side of a cell: a wavelength, of a target of more than 64 up to two, and in a camera's picture four; less for a
+        /// Side of a cell: a wavelength, of a target of more than 64 up to three, and in a camera's picture four; less for a
         /// target of few wavelengths, or where the wave is curved.
         /// </summary>
         public static double SideFor(CrossSectionPose pose, double3 boxMin, double3 boxMax)

@@ -89,7 +89,7 @@ namespace Glint
         }
 
         /// <summary>Ends a slice.</summary>
-        public void Took(int count, long rays)
+        public void Took(int count, long[] rays)
         {
             _slices.Took(Next, count, rays);
             Next += count;

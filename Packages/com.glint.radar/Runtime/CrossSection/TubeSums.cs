@@ -11,8 +11,8 @@ namespace Glint
         /// <summary>Words of the output.</summary>
         public const int Count = 0, Overflow = 1;
 
-        /// <summary>Counts of each pose, and words of those of a pose.</summary>
-        public const int FirstPose = 24, PoseWords = 4, PoseCopies = 16, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2;
+        /// <summary>Counts of each part of a pose's slice, and words of those of a pose.</summary>
+        public const int FirstPose = 24, PoseWords = 4, PoseParts = 16, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2;
 
         /// <summary>Sums of a receiver and sample, two words each, and the word after them.</summary>
         public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
@@ -53,17 +53,17 @@ namespace Glint
         public static int OutputSize(CrossSectionPose pose, int poses) => TubeKernels.FirstSum
             + TubeKernels.SumWords * CopiesOf(pose) * poses * SlotsOf(pose) * pose.Samples;
 
-        /// <summary>Rays of a pose in an output.</summary>
-        public static long RaysOf(uint[] output, int number) =>
-            CountOf(output, number, PoseRays) + CountOf(output, number, PoseBorderRays);
-
-        static long CountOf(uint[] output, int number, int count)
+        /// <summary>Rays of a pose in an output, in each part of its slice.</summary>
+        public static long[] RaysOf(uint[] output, int number)
         {
-            long sum = 0;
-            for (int copy = 0; copy < PoseCopies; copy++)
-                sum += output[FirstPose + PoseWords * (copy * TubeKernels.MaxPoses + number) + count];
-            return sum;
+            var rays = new long[PoseParts];
+            for (int part = 0; part < PoseParts; part++)
+                rays[part] = (long)CountOf(output, number, part, PoseRays) + CountOf(output, number, part, PoseBorderRays);
+            return rays;
         }
+
+        static uint CountOf(uint[] output, int number, int part, int count) =>
+            output[FirstPose + PoseWords * (part * TubeKernels.MaxPoses + number) + count];
 
         /// <summary>Rays traced.</summary>
         public long Rays { get; private set; }
@@ -86,8 +86,9 @@ namespace Glint
         /// <exception cref="GlintException">A contribution is too large for a sum.</exception>
         public void Add(uint[] output, int number, int poses, string owner)
         {
-            _tubes += CountOf(output, number, PoseTubes);
-            Rays += RaysOf(output, number);
+            for (int part = 0; part < PoseParts; part++)
+                _tubes += CountOf(output, number, part, PoseTubes);
+            Rays += RaysOf(output, number).Sum();
             int count = _sums.Length * CopiesOf(_pose);
             for (int i = 0; i < count; i++)
             {

@@ -13,16 +13,16 @@ namespace Glint
     {
         const int TileCells = 64;          // the pacer counts tiles
 
-        // Elements of the lists, and of the corners of a dispatch times their bounces, for each of 8 GB of memory up to
-        // MaxLists: long lists fill a device with large memory.
-        const int ListElements = 1 << 20, CornerElements = 3 << 20, MaxLists = 16, MebibytesAList = 8192;
+        // Elements of the lists, and of the corners of a dispatch times their bounces, for each of 4 GB of memory up to
+        // MaxLists, which take 0.75 GB: a slice waits for its slowest rays in each round, a fifth of the time of a short one.
+        const int ListElements = 1 << 20, CornerElements = 3 << 20, MaxLists = 20, MebibytesAList = 4096;
 
-        // Rays of a slice for each of these elements: on a ship there is a tube for every five rays. A slice whose lists become
-        // full is traced again in two.
-        const int RaysAList = 3 << 20;
+        // Rays of a slice for each of these elements: on a ship there is a tube for every five rays, and forecasts are wrong by a
+        // factor of two. A slice whose lists become full is traced again in two.
+        const int RaysAList = 2 << 20;
 
         // A device takes a tenth of a second for the longest lists: they begin as long as the number of poses needs, and are
-        // doubled after so many slices.
+        // doubled after so many slices that left cells.
         const int PosesAList = 8, SlicesAFactor = 8;
 
         // Of the marks of all poses of a dispatch, for each of these lists: 64 MB.
@@ -38,7 +38,7 @@ namespace Glint
         readonly DispatchPacer _pacer = new DispatchPacer();
         Action _bind;
         int _factor = 1, _slicesOfFactor;
-        long _maxCells;                    // of a slice
+        double _maxRays;                   // of a slice, by their forecast
         uint[] _read;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
@@ -59,6 +59,8 @@ namespace Glint
 
         // Tubes, border cells and rays beside outlines.
         int Capacity => _factor * ListElements;
+
+        double RaysASlice => (double)_factor * RaysAList;
 
         // Times their bounces.
         int Corners => (int)Math.Min(_factor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
@@ -104,7 +106,7 @@ namespace Glint
             _kernels.SetPoses(jobs);
             _kernels.SetUnits(jobs[0].Edges);
             _read = new uint[outputSize];
-            _maxCells = CornerCapacity(pose);
+            _maxRays = RaysASlice;
             _lists.Reserve(outputSize, Capacity, CellCapacity(pose), Enumerable.Range(0, pose.Samples).Select(sample =>
                 TubeLists.WaveNumber(pose.PhaseFrequencyOf(sample), pose.TimeOf(sample))));
             _lists.ReserveRays(Corners, CornerCapacity(pose));
@@ -133,9 +135,11 @@ namespace Glint
         {
             GrowLists();
             var pose = jobs[0].Pose;
-            long most = Math.Min(jobs.Sum(job => job.Left), _maxCells);
+            long most = Math.Min(jobs.Sum(job => job.Left), CornerCapacity(pose));
             int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (most + TileCells - 1) / TileCells), pose.MaxBounces);
-            var slices = SlicesOf(jobs, Math.Min(most, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells));
+            double raysLeft = _maxRays;
+            var slices = SlicesOf(jobs, Math.Min(most, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells),
+                ref raysLeft);
             int count = slices.Sum(slice => slice.Count);
             var watch = Stopwatch.StartNew();
             _kernels.Clear(_read.Length);
@@ -144,7 +148,7 @@ namespace Glint
             _pacer.Took(Math.Max(1, count / TileCells), watch.Elapsed.TotalSeconds);
             if (TubeSums.HasOverflown(_read))
             {
-                _maxCells = Math.Max(1, count / 2);
+                _maxRays = (_maxRays - raysLeft) / 2;
                 if (count == 1)
                     throw new GlintException($"{_owner}: one cell of the grid has too many parts at this tolerance: "
                         + "ask for a larger one");
@@ -154,23 +158,23 @@ namespace Glint
             for (int i = 0; i < jobs.Length; i++)
                 if (slices[i].Count > 0)
                     jobs[i].Took(slices[i].Count, TubeSums.RaysOf(_read, i));
-            _maxCells = Math.Min(CornerCapacity(pose), _maxCells + _maxCells / 2);
+            _maxRays = Math.Min(RaysASlice, 1.5 * _maxRays);
+            _slicesOfFactor += jobs.Any(job => job.Left > 0) ? 1 : 0;
         }
 
         void GrowLists()
         {
-            if (_slicesOfFactor++ < SlicesAFactor || _factor >= ListFactor)
+            if (_slicesOfFactor < SlicesAFactor || _factor >= ListFactor)
                 return;
             _factor = Math.Min(ListFactor, 2 * _factor);
             _slicesOfFactor = 0;
             _bind();
         }
 
-        // The next slice of each pose, cells in all at most.
-        (long First, int Count)[] SlicesOf(TubeJob[] jobs, long max)
+        // The next slice of each pose, cells and rays in all at most.
+        (long First, int Count)[] SlicesOf(TubeJob[] jobs, long max, ref double rays)
         {
             var slices = new (long First, int Count)[jobs.Length];
-            double rays = (double)_factor * RaysAList;
             int sum = 0;
             long corners = CornerCapacity(jobs[0].Pose);
             for (int i = 0; i < jobs.Length; i++)

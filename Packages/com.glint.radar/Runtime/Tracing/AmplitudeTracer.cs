@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using System.Linq;
 using System.Numerics;
 using System.Threading;
 using Glint.Core;
@@ -260,7 +261,7 @@ namespace Glint
                 _bentQuadrature += At(Bent + 2);
                 _squares += At(Border);
                 Revealed += output[RevealedCount];
-                _rays += TubeSums.RaysOf(output, 0);
+                _rays += TubeSums.RaysOf(output, 0).Sum();
                 _hits += At(Hits);
                 _bounces += At(Bounces);
                 _received += At(Received);
