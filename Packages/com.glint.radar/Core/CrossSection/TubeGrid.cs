@@ -22,10 +22,14 @@ namespace Glint.Core
         // are the same instead of independent. A grid has half a cell to spare on each side.
         const double ShiftX = 0.31, ShiftY = -0.19;
 
-        // Side of a cell of a large target, most of whose echo comes from large parts, and of a camera's picture, most of which
-        // returns nothing: cells are divided where corners of patches are, and where paths differ, and the outlines of
-        // patches show what rays through corners miss. Cells across a target, and across a large one.
-        const double LargeWavelengths = 4, CellsAcross = 16, LargeCellsAcross = 64;
+        // Side of a cell of a camera's picture, most of which returns nothing: cells are divided where corners of
+        // patches are, and where paths differ.
+        const double PictureWavelengths = 4;
+
+        // Side of a cell of a large target, most of whose echo comes from large parts: the outlines of patches show what rays
+        // through corners miss. At four wavelengths errors of a ship would be 1.3 times those said. Cells across a target, and
+        // across a large one.
+        const double LargeWavelengths = 3, CellsAcross = 16, LargeCellsAcross = 64;
 
         // Maximum side of a cell at a finite range, as a fraction of sqrt(wavelength x range).
         const double MaxNearSide = 0.22;
@@ -161,14 +165,14 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Side of a cell: a wavelength, of a target of more than 64 up to four, and in a camera's picture four; less for a
+        /// Side of a cell: a wavelength, of a target of more than 64 up to three, and in a camera's picture four; less for a
         /// target of few wavelengths, or where the wave is curved.
         /// </summary>
         public static double SideFor(CrossSectionPose pose, double3 boxMin, double3 boxMax)
         {
             double wavelength = Signal.Wavelength(pose.Frequencies[pose.Frequencies.Length - 1]);
             double size = math.length(boxMax - boxMin);
-            double side = pose.Footprint != null ? Math.Min(LargeWavelengths * wavelength, size / CellsAcross)
+            double side = pose.Footprint != null ? Math.Min(PictureWavelengths * wavelength, size / CellsAcross)
                 : math.clamp(size / LargeCellsAcross, Math.Min(wavelength, size / CellsAcross),
                     LargeWavelengths * wavelength);
             return pose.IsFar ? side : Math.Min(side, MaxNearSide * Math.Sqrt(wavelength * pose.Range));
