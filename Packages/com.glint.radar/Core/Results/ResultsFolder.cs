@@ -220,27 +220,41 @@ namespace Glint.Core
             _finished = true;
         }
 
-        // Together: a device makes the images on this thread before.
+        // Together, on other threads: those of rows while a device makes the images on this one.
         void WriteWholeFiles(WholeRun run)
         {
-            var wanted = _table.WholeFiles.Where(whole => whole.IsWanted(run)).ToArray();
-            if (_table.HasProfiles)
-                run.Echo.MakeImages();
-            var failures = new GlintException[wanted.Length];
-            Parallel.For(0, wanted.Length, i =>
+            var wanted = _table.WholeFiles.Where(whole => whole.IsWanted(run)).ToLookup(whole => whole.IsOfImage);
+            var writing = new List<Task<GlintException>>();
+            void Begin(bool isOfImage) =>
+                writing.AddRange(wanted[isOfImage].Select(whole => Task.Run(() => WriteWhole(whole, run))));
+            Begin(false);
+            try
             {
-                try
-                {
-                    Try($"{PathOf(wanted[i])}: cannot be written ({CsvPath} is complete)",
-                        () => Replace(PathOf(wanted[i]), file => wanted[i].Write(file, run)));
-                }
-                catch (GlintException error)
-                {
-                    failures[i] = error;
-                }
-            });
-            if (failures.FirstOrDefault(failure => failure != null) is GlintException first)
-                throw first;
+                if (_table.HasProfiles)
+                    run.Echo.MakeImages();
+                Begin(true);
+            }
+            finally
+            {
+                Task.WaitAll(writing.ToArray());
+            }
+            if (writing.FirstOrDefault(file => file.Result != null) is Task<GlintException> failed)
+                throw failed.Result;
+        }
+
+        // Returns what keeps it from being written.
+        GlintException WriteWhole(WholeFile whole, WholeRun run)
+        {
+            try
+            {
+                Try($"{PathOf(whole)}: cannot be written ({CsvPath} is complete)",
+                    () => Replace(PathOf(whole), file => whole.Write(file, run)));
+                return null;
+            }
+            catch (GlintException error)
+            {
+                return error;
+            }
         }
 
         IEnumerable<string> WholePaths => _table.WholeFiles.Select(PathOf);

@@ -52,7 +52,7 @@ namespace Glint
         {
             (_setup, _folder) = (setup, folder);
             string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
-            var ahead = setup.FindAhead();
+            var ahead = setup.TakeAhead();
             setup.Validate(subject);
             int rows = setup.Plan.Count;
             _first = shard?.First(rows) ?? 0;
