@@ -63,7 +63,8 @@ public sealed unsafe class ComputeProgram : IDisposable
     /// <summary>Threads of a group: the kernel's numthreads.</summary>
     public (uint X, uint Y, uint Z) GroupSize => _reflection.GroupSize;
 
-    internal VulkanDevice Device => _device;
+    /// <summary>The device that it runs on.</summary>
+    public VulkanDevice Device => _device;
 
     /// <summary>Constant buffers in the order of their bindings.</summary>
     internal UniformBlock[] Blocks { get; }
