@@ -159,12 +159,7 @@ namespace Glint.Core
 
         /// <summary>Writes and flushes some rows at once.</summary>
         /// <inheritdoc cref="Append(SweepRow)"/>
-        public void Append(IReadOnlyList<CrossSectionRow> rows)
-        {
-            var stored = new StoredRow[rows.Count];
-            Parallel.For(0, stored.Length, i => stored[i] = new StoredRow(rows[i]));
-            Append(stored);
-        }
+        public void Append(IReadOnlyList<CrossSectionRow> rows) => Append(StoredRow.Of(rows));
 
         /// <inheritdoc cref="Append(SweepRow)"/>
         public void Append(ClutterRow row) => Append(new StoredRow(row));
