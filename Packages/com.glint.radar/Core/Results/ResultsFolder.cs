@@ -177,9 +177,10 @@ namespace Glint.Core
         /// Writes results.json atomically, after the table's other files unless it is a part, and closes the rows'
         /// file.
         /// </summary>
+        /// <param name="meanwhile">Done on this thread while others write files, after the images; may be null.</param>
         /// <exception cref="GlintException">A file cannot be written; that of the rows stays.</exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
-        public void Finish(RunInfo info)
+        public void Finish(RunInfo info, Action meanwhile = null)
         {
             RequireUnfinished();
             if (_csv == null)
@@ -194,7 +195,7 @@ namespace Glint.Core
             {
                 var run = new WholeRun(info, _rows);
                 if (info.Sweep != null && info.Sweep.Shard == null)
-                    WriteWholeFiles(run);
+                    WriteWholeFiles(run, meanwhile);
                 Try($"{JsonPath}: cannot be written ({CsvPath} is complete)",
                     () => Replace(JsonPath, file => WriteJson(file, info)));
                 Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
@@ -216,7 +217,7 @@ namespace Glint.Core
         }
 
         // Together, on other threads: those of rows while a device makes the images on this one.
-        void WriteWholeFiles(WholeRun run)
+        void WriteWholeFiles(WholeRun run, Action meanwhile)
         {
             var wanted = _table.WholeFiles.Where(whole => whole.IsWanted(run)).ToLookup(whole => whole.IsOfImage);
             var writing = new List<Task<GlintException>>();
@@ -228,6 +229,7 @@ namespace Glint.Core
                 if (_table.HasProfiles)
                     run.Echo.MakeImages();
                 Begin(true);
+                meanwhile?.Invoke();
             }
             finally
             {

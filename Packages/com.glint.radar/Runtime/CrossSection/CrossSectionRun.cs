@@ -223,7 +223,8 @@ namespace Glint
             info.Backproject = _setup.Backproject;
             info.StartedUtc = _folder.StartedUtc ?? _startedUtc;
             info.ElapsedMs = (_startedUtc - info.StartedUtc).TotalMilliseconds + _watch.Elapsed.TotalMilliseconds;
-            _folder.Finish(info);
+            // A driver takes long to release large buffers.
+            _folder.Finish(info, _tracer.Dispose);
         }
     }
 }
