@@ -21,8 +21,7 @@ public sealed unsafe class ComputeProgram : IDisposable
         _device = device;
         spirv = SpirvModule.WithImageFormat(spirv);
         _reflection = new Reflection(spirv);
-        _cacheFile = new PipelineCacheFile(device.PipelineCacheFolder, device.Physical.PipelineCacheHeader,
-            device.Physical.DriverVersion, spirv);
+        _cacheFile = CacheFileOf(device, spirv);
         Blocks = _reflection.Blocks;
         Sets = new BoundSets(this);
         Buffers = Slots.Select(slot => slot.Name).ToArray();
@@ -38,6 +37,13 @@ public sealed unsafe class ComputeProgram : IDisposable
             throw;
         }
     }
+
+    /// <summary>Whether there is a file with what the driver compiled for a kernel.</summary>
+    internal static bool IsStored(VulkanDevice device, ReadOnlySpan<byte> spirv) =>
+        CacheFileOf(device, SpirvModule.WithImageFormat(spirv)).Exists;
+
+    static PipelineCacheFile CacheFileOf(VulkanDevice device, ReadOnlySpan<byte> spirv) =>
+        new(device.PipelineCacheFolder, device.Physical.PipelineCacheHeader, device.Physical.DriverVersion, spirv);
 
     /// <summary>The kernel's name.</summary>
     public string Name => _reflection.EntryPoint;
@@ -57,7 +63,8 @@ public sealed unsafe class ComputeProgram : IDisposable
     /// <summary>Threads of a group: the kernel's numthreads.</summary>
     public (uint X, uint Y, uint Z) GroupSize => _reflection.GroupSize;
 
-    internal VulkanDevice Device => _device;
+    /// <summary>The device that it runs on.</summary>
+    public VulkanDevice Device => _device;
 
     /// <summary>Constant buffers in the order of their bindings.</summary>
     internal UniformBlock[] Blocks { get; }

@@ -34,6 +34,9 @@ sealed class PipelineCacheFile
     /// <summary>Path of the file; null if there is no folder.</summary>
     internal string FilePath => _folder == null ? null : Path.Combine(_folder, _name);
 
+    /// <summary>Whether the file is there; it may be damaged.</summary>
+    internal bool Exists => File.Exists(FilePath);
+
     /// <summary>The header of a device's data.</summary>
     /// <param name="uuid">The device's pipelineCacheUUID, 16 bytes.</param>
     internal static byte[] Header(uint vendorId, uint deviceId, ReadOnlySpan<byte> uuid)

@@ -19,17 +19,14 @@ public static class ShaderLibrary
     /// <summary>Names of the kernels of a .compute file, in order.</summary>
     public static IReadOnlyList<string> Kernels(string computePath) => Manifest.Read(computePath).Kernels;
 
-    /// <summary>
-    /// SPIR-V of a kernel. Throws if the source files of the project at <paramref name="projectRoot"/> have changed
-    /// since.
-    /// </summary>
+    /// <summary>Throws if the source files of a project have changed since the kernels were compiled.</summary>
+    /// <param name="projectRoot">The project's folder.</param>
     /// <param name="computePath">
-    /// Path from the project's root, for example "Packages/com.glint.radar/Shaders/Trace.compute".
+    /// Path from there, for example "Packages/com.glint.radar/Shaders/Trace.compute".
     /// </param>
-    public static byte[] Load(string projectRoot, string computePath, string kernel)
+    public static void RequireSources(string projectRoot, string computePath)
     {
-        var manifest = Manifest.Read(computePath);
-        foreach (var (path, hash) in manifest.Sources)
+        foreach (var (path, hash) in Manifest.Read(computePath).Sources)
         {
             string file = Path.Combine(projectRoot, path);
             if (!File.Exists(file))
@@ -38,7 +35,6 @@ public static class ShaderLibrary
             if (Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(file))) != hash)
                 throw new VulkanException($"{path} changed since {computePath} was compiled; {Remedy}");
         }
-        return Load(computePath, kernel);
     }
 
     /// <summary>SPIR-V of a kernel as compiled, without a check of the source files.</summary>

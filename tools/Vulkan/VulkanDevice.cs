@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading.Tasks;
 
 namespace Glint.Vulkan;
 
@@ -12,6 +13,7 @@ public sealed unsafe class VulkanDevice : IDisposable
     readonly Instance _instance;
     readonly HashSet<GpuResource> _resources = [];
     readonly HashSet<ComputeProgram> _programs = [];
+    readonly List<Task> _begun = [];
     readonly bool _mapBuffers;
     CommandRecorder _recorder;
     nint _handle;
@@ -137,8 +139,34 @@ public sealed unsafe class VulkanDevice : IDisposable
     public ComputeProgram CreateProgram(ReadOnlySpan<byte> spirv)
     {
         _ = Recorder;
-        var program = new ComputeProgram(this, spirv);
-        _programs.Add(program);
+        return Add(new ComputeProgram(this, spirv));
+    }
+
+    /// <summary>
+    /// Begins to make a program and its pipeline on another thread, if the driver's code of it is stored. Else the
+    /// result is null: compiling takes long, and not all programs are used.
+    /// </summary>
+    /// <param name="load">Gives the SPIR-V.</param>
+    public Task<ComputeProgram> BeginStoredProgram(Func<byte[]> load)
+    {
+        _ = Recorder;
+        var begun = Task.Run(() =>
+        {
+            byte[] spirv = load();
+            if (!ComputeProgram.IsStored(this, spirv))
+                return null;
+            var program = Add(new ComputeProgram(this, spirv));
+            _ = program.Pipeline;
+            return program;
+        });
+        _begun.Add(begun);
+        return begun;
+    }
+
+    ComputeProgram Add(ComputeProgram program)
+    {
+        lock (_programs)
+            _programs.Add(program);
         return program;
     }
 
@@ -231,6 +259,7 @@ public sealed unsafe class VulkanDevice : IDisposable
     {
         if (_recorder == null)
             return;
+        Task.WhenAll(_begun).ContinueWith(_ => { }, TaskScheduler.Default).Wait();
         if (!IsAbandoned)
         {
             Native.vkDeviceWaitIdle(_handle); // a lost device returns an error and can still be destroyed
@@ -262,5 +291,9 @@ public sealed unsafe class VulkanDevice : IDisposable
 
     internal void Forget(GpuResource resource) => _resources.Remove(resource);
 
-    internal void Forget(ComputeProgram program) => _programs.Remove(program);
+    internal void Forget(ComputeProgram program)
+    {
+        lock (_programs)
+            _programs.Remove(program);
+    }
 }

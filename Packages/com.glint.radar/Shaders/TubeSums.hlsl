@@ -26,6 +26,12 @@ struct Sum
     uint Upper;
 };
 
+void AddWhole(inout Sum sum, uint lower, uint upper)
+{
+    sum.Lower += lower;
+    sum.Upper += upper + (sum.Lower < lower ? 1 : 0);
+}
+
 void Accumulate(inout Sum sum, float units, inout uint overflow)
 {
     float whole = round(units), magnitude = abs(whole);
@@ -40,8 +46,7 @@ void Accumulate(inout Sum sum, float units, inout uint overflow)
         upper = lower == 0 ? 0 - upper : ~upper;
         lower = 0 - lower;
     }
-    sum.Lower += lower;
-    sum.Upper += upper + (sum.Lower < lower ? 1 : 0);
+    AddWhole(sum, lower, upper);
 }
 
 void Accumulate(inout Sum real, inout Sum imaginary, float2 units, inout uint overflow)

@@ -86,7 +86,7 @@ namespace Glint.Tests
 
         // Edges are where the poses' scene has them: at 3 km half a metre lower than on a flat earth.
         [Test]
-        public void FindAhead_OfACrossSectionAtARange_HasTheWedgesOfItsPoses()
+        public void TakeAhead_OfACrossSectionAtARange_HasTheWedgesOfItsPoses()
         {
             var sea = new TestSea(10, 32, 32, 0);
             var scene = new RadarScene(At(sea.Mesh, 0), At(CrossSectionTargets.Plate(1, 2), 3000))
@@ -95,7 +95,7 @@ namespace Glint.Tests
             };
             var plan = new CrossSectionPlan(new[] { 0.0 }, new[] { 1.0 }, new[] { TenGigahertz });
             var setup = new CrossSectionSetup(scene, plan) { Range = 5000 };
-            var ahead = setup.FindAhead().WedgesOf(setup.FoundPatches).Wedges;
+            var ahead = setup.TakeAhead().WedgesOf(setup.FoundPatches).Wedges;
             var expected = EdgeBuffers.WedgesOf(setup.PoseOf(plan[0]).Scene, setup.FoundPatches).Wedges;
             Assert.That(ahead.Select(wedge => (wedge.A, wedge.B)), Is.EqualTo(expected.Select(wedge => (wedge.A, wedge.B))));
             var flat = EdgeBuffers.WedgesOf(scene, setup.FoundPatches).Wedges;

@@ -120,12 +120,34 @@ namespace Glint.Tests
         public void CountOfFrequencies_HoldsTheTargetAndItsDoubleBounces()
         {
             double3 min = new double3(-5, 0, -30), max = new double3(5, 20, 30);
-            double reach = EchoBand.Reach(min, max, 0);
-            Assert.That(reach, Is.EqualTo(Math.Sqrt(25 + 400 + 900) + 0.5 * Math.Sqrt(100 + 400 + 3600)).Within(1e-12));
+            double reach = EchoBand.Reach(min, max, 0, true);
             var frequencies = EchoBand.Frequencies(9.4e9, 150e6, (int)EchoBand.CountFor(reach, 150e6));
             Assert.That(frequencies.Average(), Is.EqualTo(9.4e9).Within(1e-3));
             double step = frequencies[1] - frequencies[0], unambiguous = C / (2 * step);
             Assert.That(unambiguous, Is.InRange(2 * reach + 8 * 0.999, 2 * reach + 10));
+        }
+
+        /// <summary>
+        /// Echoes of up to two bounces, from all directions, of points all over a box: half of the way that is longer
+        /// than that over the phase centre. The longest bounces far from each other, beside the direction of the radar.
+        /// </summary>
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Reach_OfABox_IsTheFarthestEchoOfTwoBounces(bool isMonostatic)
+        {
+            double3 min = new double3(-5, 0, -30), max = new double3(5, 20, 30), centre = new double3(0, 10, 0);
+            double reach = EchoBand.Reach(min, max, centre, isMonostatic), farthest = 0;
+            var random = new Random(1);
+            double3 Any() => new double3(random.NextDouble(), random.NextDouble(), random.NextDouble());
+            // Many at corners.
+            double3 Point() => math.lerp(min, max, math.saturate(3 * Any() - 1)) - centre;
+            for (int i = 0; i < 200000; i++)
+            {
+                double3 a = Point(), b = Point(), from = math.normalize(Any() - 0.5),
+                    to = isMonostatic ? from : math.normalize(Any() - 0.5);
+                farthest = Math.Max(farthest, (math.dot(from, a) + math.distance(a, b) + math.dot(to, b)) / 2);
+            }
+            Assert.That(farthest, Is.InRange(0.97 * reach, reach));
         }
 
         // A plate of this area at normal incidence, or its equal, at the band's centre.

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Threading.Tasks;
 using Glint.Core;
 
 namespace Glint.Host;
@@ -53,15 +54,25 @@ internal sealed class GuidIndex
 
     Dictionary<string, List<string>> Scan()
     {
-        Dictionary<string, List<string>> result = new();
+        List<(string Meta, string AssetPath)> files = new();
         HashSet<string> linked = new();
-        Scan(_paths.ToPhysicalPath("Assets"), "Assets", result, linked);
+        Scan(_paths.ToPhysicalPath("Assets"), "Assets", files, linked);
         foreach ((string name, string folder) in _paths.Packages)
-            Scan(folder, "Packages/" + name, result, linked);
+            Scan(folder, "Packages/" + name, files, linked);
+        string[] guids = new string[files.Count];
+        Parallel.For(0, guids.Length, i => guids[i] = MetaFile.ReadGuid(files[i].Meta));
+        Dictionary<string, List<string>> result = new();
+        for (int i = 0; i < guids.Length; i++)
+            if (guids[i] is string guid)
+            {
+                if (!result.TryGetValue(guid, out List<string> found))
+                    result.Add(guid, found = new List<string>(1));
+                found.Add(files[i].AssetPath);
+            }
         return result;
     }
 
-    static void Scan(string folder, string assetPath, Dictionary<string, List<string>> result, HashSet<string> linked)
+    static void Scan(string folder, string assetPath, List<(string, string)> files, HashSet<string> linked)
     {
         DirectoryInfo directory = new(folder);
         if (!directory.Exists)
@@ -74,15 +85,10 @@ internal sealed class GuidIndex
             {
                 // A link may lead back to a folder above it.
                 if (child.LinkTarget is null || linked.Add(child.ResolveLinkTarget(true).FullName))
-                    Scan(child.FullName, assetPath + "/" + child.Name, result, linked);
+                    Scan(child.FullName, assetPath + "/" + child.Name, files, linked);
             }
-            else if (entry.Name.EndsWith(MetaFile.Extension, StringComparison.Ordinal)
-                && MetaFile.ReadGuid(entry.FullName) is string guid)
-            {
-                if (!result.TryGetValue(guid, out List<string> found))
-                    result.Add(guid, found = new List<string>(1));
-                found.Add(assetPath + "/" + entry.Name[..^MetaFile.Extension.Length]);
-            }
+            else if (entry.Name.EndsWith(MetaFile.Extension, StringComparison.Ordinal))
+                files.Add((entry.FullName, assetPath + "/" + entry.Name[..^MetaFile.Extension.Length]));
         }
     }
 

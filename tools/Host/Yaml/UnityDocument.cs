@@ -62,10 +62,14 @@ internal sealed class UnityDocument
     {
         if (_fields is not null)
             return;
-        YamlStream stream = new();
+        YamlStream stream;
         try
         {
-            stream.Load(new DepthGuard(new Parser(new StringReader(_text[_content]))));
+            HexValues values = new(_text[_content]);
+            stream = Load(values);
+            // Text that only looks like a value.
+            if (!values.AreAllPassed)
+                stream = Load(new Parser(new StringReader(_text[_content])));
         }
         catch (YamlException error)
         {
@@ -84,6 +88,13 @@ internal sealed class UnityDocument
         _typeName = name.Value;
         _fields = value as YamlMappingNode
             ?? (value.IsEmpty() ? new YamlMappingNode() : throw Damaged(1, $"{name.Value} has no fields", null));
+    }
+
+    static YamlStream Load(IParser parser)
+    {
+        YamlStream stream = new();
+        stream.Load(new DepthGuard(parser));
+        return stream;
     }
 
     GlintException Damaged(long line, string what, Exception cause)

@@ -94,6 +94,9 @@ namespace Glint.Core
         /// <summary>Above 0: only the contributions of this bounce.</summary>
         public int OnlyBounce { get; set; }
 
+        /// <summary>Whether HV and VH are asked for; else they may be 0.</summary>
+        public bool HasCrossPolar { get; set; } = true;
+
         /// <summary>Whether edges add their fringe fields.</summary>
         public bool HasEdges { get; set; } = true;
 
@@ -151,7 +154,7 @@ namespace Glint.Core
             && Receivers.Length == other.Receivers.Length && Frequencies.SequenceEqual(other.Frequencies)
             && BandCentre == other.BandCentre && Times.SequenceEqual(other.Times) && WaveFactors == other.WaveFactors
             && MaxBounces == other.MaxBounces && OnlyBounce == other.OnlyBounce
-            && HasEdges == other.HasEdges && FadesShadows == other.FadesShadows && CreaseDegrees == other.CreaseDegrees
+            && HasCrossPolar == other.HasCrossPolar && HasEdges == other.HasEdges && FadesShadows == other.FadesShadows && CreaseDegrees == other.CreaseDegrees
             && ToleranceDb == other.ToleranceDb && FloorDbsm == other.FloorDbsm;
     }
 

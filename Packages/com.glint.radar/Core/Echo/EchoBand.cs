@@ -10,13 +10,27 @@ namespace Glint.Core
         const int Margin = 4;
 
         /// <summary>
-        /// The largest range, metres, of an echo of at most two bounces: the farthest corner of the box around the
-        /// target, and for the way between the bounces half of the box's diagonal.
+        /// The largest range, metres, of an echo of at most two bounces in a box around the target, from any direction.
+        /// With bounces at a and b from the phase centre it is half of |a + b| + |a - b| far from a radar that
+        /// receives, and else no more than half of |a| + |b| + |a - b|. Both are convex, and largest at corners.
         /// </summary>
         /// <param name="phaseCentre">Where ranges are 0, in the frame of the box.</param>
-        public static double Reach(double3 boxMin, double3 boxMax, double3 phaseCentre) =>
-            math.length(math.max(math.abs(boxMin - phaseCentre), math.abs(boxMax - phaseCentre)))
-            + math.distance(boxMin, boxMax) / 2;
+        /// <param name="isFarMonostatic">Whether the radar receives, infinitely far away.</param>
+        public static double Reach(double3 boxMin, double3 boxMax, double3 phaseCentre, bool isFarMonostatic)
+        {
+            double reach = 0;
+            for (int first = 0; first < 8; first++)
+                for (int second = 0; second < 8; second++)
+                {
+                    double3 a = Corner(first) - phaseCentre, b = Corner(second) - phaseCentre;
+                    double outside = isFarMonostatic ? math.length(a + b) : math.length(a) + math.length(b);
+                    reach = math.max(reach, (outside + math.distance(a, b)) / 2);
+                }
+            return reach;
+
+            double3 Corner(int corner) => math.select(boxMin, boxMax,
+                new bool3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0));
+        }
 
         /// <summary>Number of frequencies whose unambiguous range holds echoes up to a reach on both sides.</summary>
         public static double CountFor(double reach, double bandwidthHz) =>

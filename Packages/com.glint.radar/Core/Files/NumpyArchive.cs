@@ -17,6 +17,9 @@ namespace Glint.Core
         // Magic text, two bytes of version, two of the header's length.
         const int PrefixLength = 10, Alignment = 64;
 
+        // Written at once.
+        const int BlockNumbers = 1 << 13;
+
         // The earliest time that a ZIP archive can hold.
         static readonly DateTimeOffset s_time = new DateTimeOffset(1980, 1, 1, 0, 0, 0, TimeSpan.Zero);
 
@@ -72,11 +75,26 @@ namespace Glint.Core
         {
             var entry = _zip.CreateEntry(name + ".npy", CompressionLevel.NoCompression);
             entry.LastWriteTime = s_time;
-            using (var file = new BinaryWriter(new BufferedStream(entry.Open(), 1 << 16)))
+            using (var file = entry.Open())
             {
-                file.Write(HeaderOf(type, sizes));
+                var header = HeaderOf(type, sizes);
+                file.Write(header, 0, header.Length);
+                var block = new double[BlockNumbers];
+                var bytes = new byte[BlockNumbers * sizeof(double)];
+                int count = 0;
+                void WriteBlock()
+                {
+                    Buffer.BlockCopy(block, 0, bytes, 0, count * sizeof(double));
+                    file.Write(bytes, 0, count * sizeof(double));
+                    count = 0;
+                }
                 foreach (double number in numbers)
-                    file.Write(number);
+                {
+                    block[count++] = number;
+                    if (count == block.Length)
+                        WriteBlock();
+                }
+                WriteBlock();
             }
         }
 

@@ -18,11 +18,11 @@ namespace Glint.Core
         /// <summary>image.csv, image.npz and a picture for each polarisation.</summary>
         public static readonly IReadOnlyList<WholeFile> All = new[]
         {
-            new WholeFile("image.csv", WriteTable, HasImage),
-            new WholeFile("image.npz", WriteNumpy, HasImage)
+            new WholeFile("image.csv", WriteTable, HasImage) { IsOfImage = true },
+            new WholeFile("image.npz", WriteNumpy, HasImage) { IsOfImage = true }
         }.Concat(Polarisation.All.Select(polarisation => new WholeFile($"image-{polarisation}.png",
             (output, run) => WritePicture(output, run.Echo.Image(polarisation)),
-            run => HasImage(run) && run.Echo.Polarisations.Contains(polarisation)))).ToArray();
+            run => HasImage(run) && run.Echo.Polarisations.Contains(polarisation)) { IsOfImage = true })).ToArray();
 
         static bool HasImage(WholeRun run) => run.Echo.Settings.Image != null;
 

@@ -134,6 +134,9 @@ namespace Glint.Core
 
         /// <summary>Whether it is written for these rows.</summary>
         public Func<WholeRun, bool> IsWanted { get; }
+
+        /// <summary>Whether it is made of <see cref="EchoProfiles.Image"/>.</summary>
+        public bool IsOfImage { get; set; }
     }
 
     /// <summary>A whole run, for the files made of it.</summary>

@@ -159,12 +159,7 @@ namespace Glint.Core
 
         /// <summary>Writes and flushes some rows at once.</summary>
         /// <inheritdoc cref="Append(SweepRow)"/>
-        public void Append(IReadOnlyList<CrossSectionRow> rows)
-        {
-            var stored = new StoredRow[rows.Count];
-            Parallel.For(0, stored.Length, i => stored[i] = new StoredRow(rows[i]));
-            Append(stored);
-        }
+        public void Append(IReadOnlyList<CrossSectionRow> rows) => Append(StoredRow.Of(rows));
 
         /// <inheritdoc cref="Append(SweepRow)"/>
         public void Append(ClutterRow row) => Append(new StoredRow(row));
@@ -182,9 +177,10 @@ namespace Glint.Core
         /// Writes results.json atomically, after the table's other files unless it is a part, and closes the rows'
         /// file.
         /// </summary>
+        /// <param name="meanwhile">Done on this thread while others write files, after the images; may be null.</param>
         /// <exception cref="GlintException">A file cannot be written; that of the rows stays.</exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
-        public void Finish(RunInfo info)
+        public void Finish(RunInfo info, Action meanwhile = null)
         {
             RequireUnfinished();
             if (_csv == null)
@@ -199,7 +195,7 @@ namespace Glint.Core
             {
                 var run = new WholeRun(info, _rows);
                 if (info.Sweep != null && info.Sweep.Shard == null)
-                    WriteWholeFiles(run);
+                    WriteWholeFiles(run, meanwhile);
                 Try($"{JsonPath}: cannot be written ({CsvPath} is complete)",
                     () => Replace(JsonPath, file => WriteJson(file, info)));
                 Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
@@ -220,27 +216,42 @@ namespace Glint.Core
             _finished = true;
         }
 
-        // Together: a device makes the images on this thread before.
-        void WriteWholeFiles(WholeRun run)
+        // Together, on other threads: those of rows while a device makes the images on this one.
+        void WriteWholeFiles(WholeRun run, Action meanwhile)
         {
-            var wanted = _table.WholeFiles.Where(whole => whole.IsWanted(run)).ToArray();
-            if (_table.HasProfiles)
-                run.Echo.MakeImages();
-            var failures = new GlintException[wanted.Length];
-            Parallel.For(0, wanted.Length, i =>
+            var wanted = _table.WholeFiles.Where(whole => whole.IsWanted(run)).ToLookup(whole => whole.IsOfImage);
+            var writing = new List<Task<GlintException>>();
+            void Begin(bool isOfImage) =>
+                writing.AddRange(wanted[isOfImage].Select(whole => Task.Run(() => WriteWhole(whole, run))));
+            Begin(false);
+            try
             {
-                try
-                {
-                    Try($"{PathOf(wanted[i])}: cannot be written ({CsvPath} is complete)",
-                        () => Replace(PathOf(wanted[i]), file => wanted[i].Write(file, run)));
-                }
-                catch (GlintException error)
-                {
-                    failures[i] = error;
-                }
-            });
-            if (failures.FirstOrDefault(failure => failure != null) is GlintException first)
-                throw first;
+                if (_table.HasProfiles)
+                    run.Echo.MakeImages();
+                Begin(true);
+                meanwhile?.Invoke();
+            }
+            finally
+            {
+                Task.WaitAll(writing.ToArray());
+            }
+            if (writing.FirstOrDefault(file => file.Result != null) is Task<GlintException> failed)
+                throw failed.Result;
+        }
+
+        // Returns what keeps it from being written.
+        GlintException WriteWhole(WholeFile whole, WholeRun run)
+        {
+            try
+            {
+                Try($"{PathOf(whole)}: cannot be written ({CsvPath} is complete)",
+                    () => Replace(PathOf(whole), file => whole.Write(file, run)));
+                return null;
+            }
+            catch (GlintException error)
+            {
+                return error;
+            }
         }
 
         IEnumerable<string> WholePaths => _table.WholeFiles.Select(PathOf);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Threading.Tasks;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Core
@@ -12,8 +13,9 @@ namespace Glint.Core
     /// </summary>
     public sealed class StoredRow
     {
-        // NaN where there is none.
+        // NaN where there is none. From this place on, in an array that rows may share.
         readonly double[] _values;
+        readonly int _first;
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
         public StoredRow(SweepRow row) : this(ResultTable.Sweep, row, row.Pose)
@@ -22,9 +24,22 @@ namespace Glint.Core
             PhaseHistogram = row.Result.PhaseHistogram?.ToArray();
         }
 
+        StoredRow(CrossSectionRow row, double[] values, int first)
+        {
+            (_values, _first, Contributions) = (values, first, row.Contributions);
+            SetValues(ResultTable.CrossSection, row, row);
+        }
+
+        /// <summary>Some rows, found on several threads.</summary>
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        public StoredRow(CrossSectionRow row) : this(ResultTable.CrossSection, row, row) =>
-            Contributions = row.Contributions;
+        public static StoredRow[] Of(IReadOnlyList<CrossSectionRow> rows)
+        {
+            int columns = ResultTable.CrossSection.Columns.Count;
+            var values = new double[rows.Count * columns];
+            var stored = new StoredRow[rows.Count];
+            Parallel.For(0, stored.Length, i => stored[i] = new StoredRow(rows[i], values, i * columns));
+            return stored;
+        }
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
         public StoredRow(ClutterRow row) : this(ResultTable.Clutter, row, row)
@@ -34,8 +49,13 @@ namespace Glint.Core
         StoredRow(ResultTable table, object row, object where)
         {
             _values = new double[table.Columns.Count];
-            for (int i = 0; i < _values.Length; i++)
-                _values[i] = table.Columns[i].Value(row, where) ?? double.NaN;
+            SetValues(table, row, where);
+        }
+
+        void SetValues(ResultTable table, object row, object where)
+        {
+            for (int i = 0; i < table.Columns.Count; i++)
+                _values[_first + i] = table.Columns[i].Value(row, where) ?? double.NaN;
         }
 
         /// <summary>A row that was written as JSON.</summary>
@@ -74,10 +94,11 @@ namespace Glint.Core
 
         /// <summary>The value of a column of the row's table; null where there is none.</summary>
         public double? this[ResultColumn column] =>
-            double.IsNaN(_values[column.Index]) ? (double?)null : _values[column.Index];
+            double.IsNaN(_values[_first + column.Index]) ? (double?)null : _values[_first + column.Index];
 
         /// <summary>Copies the values of all columns, NaN where there is none.</summary>
-        internal void CopyTo(byte[] bytes) => Buffer.BlockCopy(_values, 0, bytes, 0, bytes.Length);
+        internal void CopyTo(byte[] bytes) =>
+            Buffer.BlockCopy(_values, _first * sizeof(double), bytes, 0, bytes.Length);
 
         /// <summary>The value on an axis; null where the axis was left alone, for the angle 0.</summary>
         public double? this[SweepAxis axis] => this[ResultColumn.Of(axis)];

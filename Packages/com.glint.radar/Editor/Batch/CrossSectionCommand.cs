@@ -52,7 +52,7 @@ namespace Glint.Editor
             (RadarScene scene, SceneGatherer gatherer, string path, string name) opened, CrossSectionPlan plan)
         {
             var (scene, gatherer, path, _) = opened;
-            return new CrossSectionSetup(scene, plan)
+            var setup = new CrossSectionSetup(scene, plan)
             {
                 ScenePath = path, Objects = gatherer.ObjectCount, Command = Batch.ArgumentsOf(line),
                 PhaseCentre = PhaseCentreOf(line, scene),
@@ -67,6 +67,9 @@ namespace Glint.Editor
                 ObjectNames = Enumerable.Range(0, gatherer.ObjectCount)
                     .Select(number => LoadedScene.PathOf(gatherer.ObjectAt(number))).ToArray()
             };
+            // While the device opens.
+            setup.Begin();
+            return setup;
         }
 
         /// <summary>The phase centre of a command line's scene, in the scene's frame.</summary>

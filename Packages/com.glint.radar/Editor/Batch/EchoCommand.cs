@@ -21,7 +21,10 @@ namespace Glint.Editor
             if (line.InputKind == InputKind.MeshFile)
                 Move(opened.scene, EchoOptions.MotionOf(line, CrossSectionCommand.PhaseCentreOf(line, opened.scene)));
             var (min, max) = opened.scene.Bound();
-            double reach = EchoBand.Reach(min, max, CrossSectionCommand.PhaseCentreOf(line, opened.scene));
+            bool isFarMonostatic = !new Option[]
+                { CrossSectionOptions.Range, CrossSectionOptions.Bistatic, CrossSectionOptions.Receivers }.Any(line.IsGiven);
+            double reach = EchoBand.Reach(min, max, CrossSectionCommand.PhaseCentreOf(line, opened.scene),
+                isFarMonostatic);
             var plan = EchoOptions.PlanOf(line, reach);
             var setup = CrossSectionCommand.SetupOf(line, opened, plan);
             setup.Echo = settings;
@@ -107,10 +110,21 @@ namespace Glint.Editor
             double bin = EchoOptions.CrossBin(band, setup.Plan), unambiguous = setup.Plan.Poses * bin;
             progress.Print(FormattableString.Invariant(
                 $"image {image.Side:g5} m wide, {image.Pixels} x {image.Pixels} pixels, cross-range bin {bin:g4} m, unambiguous cross range {unambiguous:g5} m"));
-            if (unambiguous < 2 * setup.Extent)
+            double needed = (image.Side / 2 + HalfWidthOf(setup)) * band.Frequency(band.Count - 1) / band.Centre;
+            if (unambiguous < needed)
                 Debug.LogWarning(FormattableString.Invariant(
-                    $"{name}: the unambiguous cross range is {unambiguous:g4} m, but the target may take {2 * setup.Extent:g4} m: parts may be folded over others; give a smaller step for {(line.IsGiven(EchoOptions.Track) ? EchoOptions.Track : (Option)CrossSectionOptions.Azimuth).Flag}"));
+                    $"{name}: the unambiguous cross range is {unambiguous:g4} m, but half of the image and of the target take {needed:g4} m: copies of parts may be in the image; give a smaller step for {(line.IsGiven(EchoOptions.Track) ? EchoOptions.Track : (Option)CrossSectionOptions.Azimuth).Flag}, or a smaller {EchoOptions.Side.Flag}"));
             return image;
+        }
+
+        // Of the target along the image's cross range, on the wider side of the phase centre.
+        static double HalfWidthOf(CrossSectionSetup setup)
+        {
+            var plan = setup.Plan;
+            double middle = plan.Track?.AzimuthDegrees
+                ?? 0.5 * (plan[0].AzimuthDegrees + plan[plan.Count - 1].AzimuthDegrees);
+            return math.dot(math.abs(RadarAspect.At(middle, 0).Right),
+                math.max(math.abs(setup.BoxMin - setup.PhaseCentre), math.abs(setup.BoxMax - setup.PhaseCentre)));
         }
 
         static void Describe(FrequencyBand band, double reach, string name, IProgressSink progress)

@@ -52,7 +52,7 @@ namespace Glint
         {
             (_setup, _folder) = (setup, folder);
             string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
-            var ahead = setup.FindAhead();
+            var ahead = setup.TakeAhead();
             setup.Validate(subject);
             int rows = setup.Plan.Count;
             _first = shard?.First(rows) ?? 0;
@@ -223,7 +223,8 @@ namespace Glint
             info.Backproject = _setup.Backproject;
             info.StartedUtc = _folder.StartedUtc ?? _startedUtc;
             info.ElapsedMs = (_startedUtc - info.StartedUtc).TotalMilliseconds + _watch.Elapsed.TotalMilliseconds;
-            _folder.Finish(info);
+            // A driver takes long to release large buffers.
+            _folder.Finish(info, _tracer.Dispose);
         }
     }
 }

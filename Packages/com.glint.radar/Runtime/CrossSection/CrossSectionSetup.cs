@@ -24,6 +24,7 @@ namespace Glint
         readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
         readonly Lazy<RadarScene> _onEarth;
+        SceneAhead _ahead;
 
         /// <summary>The setup of a scene.</summary>
         /// <param name="scene">The scene, with its materials.</param>
@@ -121,8 +122,17 @@ namespace Glint
         /// <summary>The patches of each instance.</summary>
         internal SurfacePatches[] FoundPatches => _patches.Value;
 
-        /// <summary>Begins to find what takes longest in the scene of the poses.</summary>
-        internal SceneAhead FindAhead() => new SceneAhead(PlacedScene, () => FoundPatches, HasEdges);
+        /// <summary>Begins to find what takes longest in the scene of the poses; from then on nothing may change.</summary>
+        public void Begin() => _ahead ??= new SceneAhead(PlacedScene, () => FoundPatches, HasEdges);
+
+        /// <summary>What was begun, for one tracer.</summary>
+        internal SceneAhead TakeAhead()
+        {
+            Begin();
+            var ahead = _ahead;
+            _ahead = null;
+            return ahead;
+        }
 
         /// <summary>Warning of facets that are too coarse at the highest frequency; null if none are.</summary>
         /// <param name="subject">Name of what is computed.</param>
@@ -161,6 +171,7 @@ namespace Glint
                 Scene = PlacedScene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre,
                 Range = planned.Range ?? Range,
                 Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
+                HasCrossPolar = Polarisations.Any(polarisation => polarisation.Received != polarisation.Sent),
                 CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm,
                 BandCentre = Echo?.BandOf(Plan).Centre,
                 RangeCell = Echo?.BandOf(Plan).RangeResolution ?? double.PositiveInfinity,

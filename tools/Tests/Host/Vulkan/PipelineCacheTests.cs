@@ -192,6 +192,22 @@ public sealed class PipelineCacheTests
         Assert.That(Mark(device), Is.EqualTo(new[] { 12, 12, 12, 0 }));
     }
 
+    [Test]
+    public void Program_BegunWithItsFile_RunsAndWithoutIsNotMade()
+    {
+        using var device = OpenWithFolder();
+        static byte[] Load() => ShaderLibrary.Load(Kernels.Indirect, "Mark");
+        Assert.That(device.BeginStoredProgram(Load).Result, Is.Null);
+
+        Directory.CreateDirectory(_folder);
+        File.WriteAllText(new PipelineCacheFile(_folder, device.Physical.PipelineCacheHeader,
+            device.Physical.DriverVersion, Load()).FilePath, "damaged");
+        using var program = device.BeginStoredProgram(Load).Result;
+        Assert.That(Mark(device, program), Is.EqualTo(new[] { 12, 12, 12, 0 }));
+        // Closing the device waits for it.
+        _ = device.BeginStoredProgram(Load);
+    }
+
     VulkanDevice OpenWithFolder()
     {
         var device = VulkanDevice.Open(Engine.DeviceSelector);
@@ -202,6 +218,11 @@ public sealed class PipelineCacheTests
     static int[] Mark(VulkanDevice device)
     {
         using var program = Kernels.Create(device, Kernels.Indirect, "Mark");
+        return Mark(device, program);
+    }
+
+    static int[] Mark(VulkanDevice device, ComputeProgram program)
+    {
         using var marks = Kernels.Buffer(device, new int[4]);
         device.Dispatch(program, Kernels.Pack(program), Kernels.Bind(("_Marks", marks)), 3, 2, 1);
         return Kernels.Read<int>(marks);

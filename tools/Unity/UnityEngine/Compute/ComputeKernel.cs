@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading.Tasks;
 using Glint.Vulkan;
 using UnityEngine;
 
@@ -19,11 +20,19 @@ internal sealed class ComputeKernel : IDisposable
     byte[] _uniformBytes;
     VulkanDevice _device;
     ComputeProgram _program;
+    Task<ComputeProgram> _begun;
 
     internal ComputeKernel(string name, Func<byte[]> load, Func<IReadOnlyCollection<string>> loadByteAddressBuffers) =>
         (Name, _load, _loadByteAddressBuffers) = (name, load, loadByteAddressBuffers);
 
     internal string Name { get; }
+
+    /// <summary>Begins to make the program on another thread, if a device is open and has its code stored.</summary>
+    internal void Begin()
+    {
+        if (_begun == null && _device == null && GraphicsDevice.IfOpen is VulkanDevice device)
+            _begun = device.BeginStoredProgram(_load);
+    }
 
     /// <summary>The program on the present device.</summary>
     internal ComputeProgram Program
@@ -33,7 +42,7 @@ internal sealed class ComputeKernel : IDisposable
             if (_device != GraphicsDevice.Current)
             {
                 _device = GraphicsDevice.Current;
-                _program = _device.CreateProgram(_load());
+                _program = Begun() ?? _device.CreateProgram(_load());
                 _uniforms = _program.Uniforms.Values
                     .Select(uniform => new Uniform { Id = PropertyIds.Get(uniform.Name), Field = uniform }).ToArray();
                 _uniformBytes = new byte[_program.UniformBytes];
@@ -45,6 +54,14 @@ internal sealed class ComputeKernel : IDisposable
             }
             return _program;
         }
+    }
+
+    // What was begun for this device.
+    ComputeProgram Begun()
+    {
+        var begun = _begun?.GetAwaiter().GetResult();
+        _begun = null;
+        return begun?.Device == _device ? begun : null;
     }
 
     internal void Set(int id, StructuredBuffer buffer) => _set[id] = buffer;

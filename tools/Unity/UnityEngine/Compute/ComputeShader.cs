@@ -19,15 +19,24 @@ public sealed partial class ComputeShader : Object
     internal ComputeShader(string name, string projectRoot, string computePath, IReadOnlyList<string> kernels)
     {
         this.name = name;
-        _kernels = kernels.Select(
-            kernel => new ComputeKernel(kernel, () => ShaderLibrary.Load(projectRoot, computePath, kernel),
-                () => ShaderLibrary.ByteAddressBuffers(computePath, kernel))).ToArray();
+        // Once for all kernels, on the thread that loads the first.
+        var sources = new Lazy<string>(() =>
+        {
+            ShaderLibrary.RequireSources(projectRoot, computePath);
+            return computePath;
+        });
+        _kernels = kernels.Select(kernel => new ComputeKernel(kernel, () => ShaderLibrary.Load(sources.Value, kernel),
+            () => ShaderLibrary.ByteAddressBuffers(computePath, kernel))).ToArray();
     }
 
+    /// <summary>The kernel's index. One whose compiled code is stored is made meanwhile, on another thread.</summary>
     public int FindKernel(string name)
     {
         int index = IndexOf(name);
-        return index >= 0 ? index : throw new ArgumentException($"Kernel '{name}' not found.");
+        if (index < 0)
+            throw new ArgumentException($"Kernel '{name}' not found.");
+        _kernels[index].Begin();
+        return index;
     }
 
     public bool HasKernel(string name) => IndexOf(name) >= 0;

@@ -45,6 +45,9 @@ public static class GraphicsDevice
         }
     }
 
+    /// <summary>The device, if it is open; else null.</summary>
+    internal static VulkanDevice IfOpen => _device;
+
     /// <summary>
     /// Begins to open the device that <see cref="Engine.DeviceSelector"/> names on another thread: a driver takes a
     /// fifth of a second. <see cref="Current"/> throws what it cannot.
