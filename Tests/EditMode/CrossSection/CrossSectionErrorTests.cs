@@ -30,7 +30,7 @@ namespace Glint.Tests
 
         // The poses of each target that are compared; tools/stress errors takes all of the table.
         const string CountVariable = "GLINT_ERROR_POSES";
-        const int DefaultCount = 6;
+        const int DefaultCount = 12;
 
         // Of all of the table, on a machine that does other things too.
         const int MaxMilliseconds = 3600000;

@@ -16,7 +16,7 @@ namespace Glint
     {
         // Error that a cell may have, as a fraction of what a conducting plate of a square wavelength returns: at first a
         // part of the tolerance, within limits; and at least.
-        const double PartOfTolerance = 0.375, MinFirstCellError = 1.0 / 64, MaxFirstCellError = 1.0 / 8,
+        const double PartOfTolerance = 0.5, MinFirstCellError = 1.0 / 64, MaxFirstCellError = 1.0 / 8,
             MinCellError = 1.0 / (1 << 17);
 
         readonly string _owner;
