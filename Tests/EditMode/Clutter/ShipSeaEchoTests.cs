@@ -210,8 +210,7 @@ namespace Glint.Tests
         // Per area of a level sea, mean over the slopes of its ripples.
         static Sigma0 Between(SeaClutter clutter, RadarAspect radar, SurfaceWave[] byPlate)
         {
-            // Of 0.375 deviations: sums of a Gaussian times what changes little in a step converge faster than any power.
-            const int steps = 12;
+            const int steps = 30;
             var table = clutter.TableAt(TenGigahertz);
             var scattering = new BistaticScattering(TenGigahertz, s_water, clutter.ShortWaves.Spectrum.Density);
             double3 image = byPlate[0].Towards, across = new double3(-clutter.Wind.z, 0, clutter.Wind.x);

@@ -168,7 +168,7 @@ public sealed class EchoPulsesTests : EchoFixture
     public void FalseAlarms_InNoise_AreAsManyAsAskedFor([Values("ca", "os")] string level)
     {
         const double rate = 0.01;
-        Run(At("plate.obj"), "--frequencies", "1024", "--tolerance", "3", "--range", "1e5", "--power", "1e-12",
+        Run(At("plate.obj"), "--frequencies", "1024", "--tolerance", "10", "--edges", "off", "--bounces", "1", "--range", "1e5", "--power", "1e-12",
             "--noise-figure", "6", "--azimuth", "0:24:1", "--detect", level, "--false-alarm", "0.01",
             "--window", "none", "--out", At("echo"));
         double cells = 25 * 4 * 1024, alarms = Table("echo/detections.csv").Count;
