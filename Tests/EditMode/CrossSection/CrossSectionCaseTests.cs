@@ -18,7 +18,7 @@ namespace Glint.Tests
         const string Folder = "Packages/com.glint.tests/EditMode/CrossSection/";
 
         // Part of a row's tolerance that a trace has. It is that of VV and HH; weaker cross-polarised echoes take this one.
-        const double PartOfTolerance = 0.5, CrossToleranceDb = 0.005;
+        const double PartOfTolerance = 0.6, CrossToleranceDb = 0.005;
 
         // Stands for no echo at all.
         const double NothingDbsm = -120;
