@@ -90,7 +90,7 @@ namespace Glint.Tests
         [TestCase(true)]
         public void Receivers_Together_EqualSingleOnes(bool isRound)
         {
-            var mesh = isRound ? CrossSectionTargets.Cylinder(0.02, 0.06, 60, true)
+            var mesh = isRound ? CrossSectionTargets.Cylinder(0.04, 0.12, 60, true)
                 : CrossSectionTargets.Dihedral(0.3, 0.2);
             var receivers = new[] { -110.0, -120, -135, -128 }.Select(at => RadarAspect.At(at, 5)).ToArray();
             var pose = PoseOf(mesh, 90, 30, receivers);
