@@ -83,7 +83,8 @@ public sealed unsafe class ComputeProgram : IDisposable
             if (_module == 0)
                 throw new ObjectDisposedException(nameof(ComputeProgram), $"kernel {Name} was disposed");
             if (_pipeline == 0)
-                CreatePipeline();
+                _pipeline = _device.Pipelines.TryGetValue(_cacheFile.Name, out ulong pipeline)
+                    ? pipeline : CreatePipeline();
             return _pipeline;
         }
     }
@@ -111,7 +112,6 @@ public sealed unsafe class ComputeProgram : IDisposable
         if (_device.IsAbandoned)
             return;
         Sets.Destroy();
-        Native.vkDestroyPipeline(_device.Handle, _pipeline, null);
         Native.vkDestroyPipelineLayout(_device.Handle, _layout, null);
         Native.vkDestroyDescriptorSetLayout(_device.Handle, _setLayout, null);
         Native.vkDestroyShaderModule(_device.Handle, _module, null);
@@ -181,7 +181,7 @@ public sealed unsafe class ComputeProgram : IDisposable
             $"lay out the buffers of kernel {Name}");
     }
 
-    void CreatePipeline()
+    ulong CreatePipeline()
     {
         fixed (byte* name = Encoding.UTF8.GetBytes(Name + '\0'))
         {
@@ -199,10 +199,12 @@ public sealed unsafe class ComputeProgram : IDisposable
             try
             {
                 VulkanException.Check(
-                    Native.vkCreateComputePipelines(_device.Handle, cache, 1, &info, null, out _pipeline),
+                    Native.vkCreateComputePipelines(_device.Handle, cache, 1, &info, null, out ulong pipeline),
                     $"compile kernel {Name} on {_device.Info.Name}");
+                _device.Pipelines.Add(_cacheFile.Name, pipeline);
                 if (cache != 0)
                     SaveCache(cache);
+                return pipeline;
             }
             finally
             {

@@ -31,6 +31,9 @@ sealed class PipelineCacheFile
             + $"{Convert.ToHexStringLower(SHA256.HashData(spirv))}.pipeline";
     }
 
+    /// <summary>Name of the file, of device, driver and kernel.</summary>
+    internal string Name => _name;
+
     /// <summary>Path of the file; null if there is no folder.</summary>
     internal string FilePath => _folder == null ? null : Path.Combine(_folder, _name);
 

@@ -64,6 +64,12 @@ public sealed unsafe class VulkanDevice : IDisposable
     internal string PipelineCacheFolder { get; set; } =
         PipelineCacheFile.UserFolder(Environment.GetEnvironmentVariable);
 
+    /// <summary>
+    /// Compiled kernels by the names of their <see cref="PipelineCacheFile"/>s, until the device is disposed: programs
+    /// of the same kernel share one.
+    /// </summary>
+    internal Dictionary<string, ulong> Pipelines { get; } = [];
+
     /// <summary>Buffers that are not disposed.</summary>
     internal IReadOnlyCollection<GpuBuffer> Buffers => _resources.OfType<GpuBuffer>().ToArray();
 
@@ -265,6 +271,8 @@ public sealed unsafe class VulkanDevice : IDisposable
             Native.vkDeviceWaitIdle(_handle); // a lost device returns an error and can still be destroyed
             foreach (var program in _programs)
                 program.Destroy();
+            foreach (ulong pipeline in Pipelines.Values)
+                Native.vkDestroyPipeline(_handle, pipeline, null);
             // A picture disposes the buffer that it is copied to.
             foreach (var resource in _resources.OrderByDescending(resource => resource is GpuImage).ToArray())
                 resource.Destroy();
@@ -274,6 +282,7 @@ public sealed unsafe class VulkanDevice : IDisposable
             _instance.Dispose();
         }
         _programs.Clear();
+        Pipelines.Clear();
         _resources.Clear();
         _recorder = null;
         _handle = 0;

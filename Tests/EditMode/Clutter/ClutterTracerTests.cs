@@ -200,6 +200,7 @@ namespace Glint.Tests
         // Figures of another program with other random numbers: sigma0 of HH and VV with shadow and breaking waves and
         // without these, and the shapes in cells of 15 x 30 m, of VV without breaking waves and without gusts. The radar looks against the wind.
         [Test, Category("Slow")]
+        [Timeout(600000)]
         public void Trace_AtGrazing_RepeatsTheMonteCarloOfFacets()
         {
             var sea = new TestSea(10, 512, 1024, 0, tiles: 2);

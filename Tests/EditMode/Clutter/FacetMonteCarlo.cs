@@ -22,6 +22,7 @@ namespace Glint.Tests
         readonly double _breaking;
         readonly int _cells;
         readonly List<Tile> _tiles = new List<Tile>();
+        readonly Dictionary<double, Figures> _figures = new Dictionary<double, Figures>();
 
         public FacetMonteCarlo(double wind, int cells, int seeds)
         {
@@ -37,6 +38,13 @@ namespace Glint.Tests
 
         /// <summary>All figures at a grazing angle.</summary>
         public Figures At(double grazing)
+        {
+            if (!_figures.TryGetValue(grazing, out var figures))
+                _figures.Add(grazing, figures = Compute(grazing));
+            return figures;
+        }
+
+        Figures Compute(double grazing)
         {
             var sums = new Figures();
             var horizontal = new List<double>();

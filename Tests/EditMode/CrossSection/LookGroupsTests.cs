@@ -57,7 +57,7 @@ namespace Glint.Tests
                 "dihedral" => (CrossSectionTargets.Dihedral(1, 0.5), 213.0),
                 "turned dihedral" => (CrossSectionTargets.DihedralAboutSight(0.6, 0.3, 22.5), 270),
                 "trihedral" => (CrossSectionTargets.Trihedral(0.6, CrossSectionTargets.TrihedralFace.Triangular), 213),
-                _ => (CrossSectionTargets.Sphere(0.3, 32), 213)
+                _ => (CrossSectionTargets.Sphere(0.15, 32), 213)
             };
             var plan = PlanOf(azimuth, elevation);
             var looks = Trace(plan, At(mesh));

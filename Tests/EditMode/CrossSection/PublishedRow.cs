@@ -20,6 +20,13 @@ namespace Glint.Tests
 
         public override string ToString() => string.Join(" ", _fields);
 
+        public string Target => _fields[0];
+
+        /// <summary>All but receiver, polarisation, value and tolerance: rows with the same share a trace.</summary>
+        public string Wave => string.Join(" ", _fields.Where((_, i) => i < 4 || i >= 6 && i < 10));
+
+        public (string, string) Receiver => (_fields[4], _fields[5]);
+
         public string Polarisation => _fields[10];
 
         public bool IsCrossPolarised => Polarisation == "HV" || Polarisation == "VH";

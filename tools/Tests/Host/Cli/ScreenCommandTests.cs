@@ -15,7 +15,21 @@ public sealed class ScreenCommandTests
 {
     static readonly string s_root = Project.FindRoot(AppContext.BaseDirectory);
 
-    string _folder, _scene;
+    // _turn: folder of one turn, for all tests that read its files.
+    string _folder, _scene, _turn;
+
+    [OneTimeSetUp]
+    public void MakeTurn()
+    {
+        MakeScene();
+        _turn = _folder;
+        Run("--turns", "1", "--fps", "5", "--asterix", Path.Combine(_turn, "video.ast"), "--detect", "ca",
+            "--false-alarm", "1e-4", "--csv");
+        RemoveScene();
+    }
+
+    [OneTimeTearDown]
+    public void RemoveTurn() => Directory.Delete(_turn, true);
 
     [SetUp]
     public void MakeScene()
@@ -30,6 +44,11 @@ public sealed class ScreenCommandTests
     public void Remove()
     {
         Directory.Delete(_folder, true);
+        RemoveScene();
+    }
+
+    void RemoveScene()
+    {
         File.Delete(_scene);
         File.Delete(_scene + ".meta");
     }
@@ -37,22 +56,19 @@ public sealed class ScreenCommandTests
     [Test]
     public void Files_HaveTheTurn_AndTheVideoOfAllSpokes()
     {
-        string video = Path.Combine(_folder, "video.ast");
-        Run("--turns", "1", "--fps", "5", "--asterix", video);
-
-        var messages = AsterixReader.Read(File.ReadAllBytes(video));
+        var messages = AsterixReader.Read(File.ReadAllBytes(Path.Combine(_turn, "video.ast")));
         // From the heading of 20 degrees on, in clockwise order, each bearing once, and up to two frames of 82.
         Assert.That(messages[0].StartDegrees, Is.EqualTo(20).Within(0.5));
         Assert.That(messages.Count, Is.InRange(1024, 1024 + 2 * 82));
         Assert.That(messages[256].StartDegrees, Is.EqualTo(110).Within(0.5));
 
-        string arrays = Path.Combine(_folder, "video.npz");
+        string arrays = Path.Combine(_turn, "video.npz");
         Assert.That(NumpyReader.Read(arrays, "power_dbw").Sizes, Is.EqualTo(new[] { 1024, 100 }));
         double[] shown = NumpyReader.Read(arrays, "video").Numbers;
         int spoke = (int)Math.Round(messages[300].StartDegrees / 360 * 1024 + 0.5);
         for (int cell = 0; cell < 100; cell++)
             Assert.That(messages[300].Cells[cell], Is.EqualTo(255 * shown[spoke * 100 + cell]).Within(0.5001));
-        Assert.That(File.ReadAllBytes(Path.Combine(_folder, "picture.png")).Take(4),
+        Assert.That(File.ReadAllBytes(Path.Combine(_turn, "picture.png")).Take(4),
             Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
     }
 
@@ -63,8 +79,7 @@ public sealed class ScreenCommandTests
     [Test]
     public void Detections_AndTheTable_AreThoseOfTheTurn()
     {
-        Run("--turns", "1", "--fps", "5", "--detect", "ca", "--false-alarm", "1e-4", "--csv");
-        string arrays = Path.Combine(_folder, "video.npz");
+        string arrays = Path.Combine(_turn, "video.npz");
         double[] power = NumpyReader.Read(arrays, "power_dbw").Numbers, ranges = NumpyReader.Read(arrays, "range_m").Numbers,
             bearings = NumpyReader.Read(arrays, "bearing_deg").Numbers, video = NumpyReader.Read(arrays, "video").Numbers;
         double noise = NumpyReader.Read(arrays, "noise_dbw").Numbers[0];
@@ -90,7 +105,7 @@ public sealed class ScreenCommandTests
             Assert.That(detected[3], Is.EqualTo(detected[2] - 10 * Math.Log10(factor * around.Average())).Within(0.0101));
         }
         Assert.That(detections.Max(detected => detected[2]), Is.EqualTo(power.Max() - noise).Within(0.0051));
-        var run = JObject.Parse(File.ReadAllText(Path.Combine(_folder, "results.json")));
+        var run = JObject.Parse(File.ReadAllText(Path.Combine(_turn, "results.json")));
         Assert.That(NumpyReader.Read(arrays, "detected").Numbers, Has.Length.EqualTo(detections.Length));
         Assert.That((double)run["settings"]["false_alarm_rate"]["value"], Is.EqualTo(1e-4));
         Assert.That((double)run["settings"]["range_scale"]["value"], Is.EqualTo(1000));
@@ -100,7 +115,7 @@ public sealed class ScreenCommandTests
     [Test]
     public void Report_HasTheTurn()
     {
-        Run("--turns", "1", "--fps", "5", "--detect", "os");
+        Run("--turns", "1", "--fps", "2", "--detect", "os");
         var (code, _, error) = TestShell.Run("report", _folder);
         Assert.That(code, Is.Zero, error);
         string page = File.ReadAllText(Path.Combine(_folder, "report.html"));
@@ -131,7 +146,7 @@ public sealed class ScreenCommandTests
 
     double[][] Table(string name, string header)
     {
-        string[] lines = File.ReadAllLines(Path.Combine(_folder, name));
+        string[] lines = File.ReadAllLines(Path.Combine(_turn, name));
         Assert.That(lines[0], Is.EqualTo(header));
         return [.. lines.Skip(1).Select(line =>
             line.Split(',').Select(cell => double.Parse(cell, CultureInfo.InvariantCulture)).ToArray())];
@@ -142,10 +157,9 @@ public sealed class ScreenCommandTests
     [Platform("Linux")]
     public void PythonExample_OfThePage_ReadsAndPlotsTheFile()
     {
-        Run("--turns", "1", "--fps", "1");
-        string output = PythonExample.Run("screen.md", "/usr/bin/python3", _folder);
+        string output = PythonExample.Run("screen.md", "/usr/bin/python3", _turn);
         Assert.That(output, Does.Match(@"^highest: [5-9]\d\.\d dB at \d+ m, \d+\.\d deg\n$"));
-        Assert.That(File.ReadAllBytes(Path.Combine(_folder, "turn.png")).Take(4),
+        Assert.That(File.ReadAllBytes(Path.Combine(_turn, "turn.png")).Take(4),
             Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
     }
 

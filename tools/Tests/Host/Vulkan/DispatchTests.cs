@@ -42,6 +42,19 @@ public sealed class DispatchTests
     }
 
     [Test]
+    public void ProgramsOfOneKernel_ShareAPipelineThatOutlivesThem()
+    {
+        using var marks = Kernels.Buffer(_device, new int[4]);
+        for (int i = 1; i <= 3; i++)
+        {
+            using var program = Kernels.Create(_device, Kernels.Indirect, "Mark");
+            _device.Dispatch(program, Kernels.Pack(program), Kernels.Bind(("_Marks", marks)), 3, 2, 1);
+            Assert.That(Kernels.Read<int>(marks), Is.EqualTo(new[] { 12 * i, 12 * i, 12 * i, 0 }));
+            Assert.That(_device.Pipelines, Has.Count.EqualTo(1));
+        }
+    }
+
+    [Test]
     public void NewBuffer_ReadAtOnce_IsZero()
     {
         for (int i = 0; i < 4; i++) // memory that was in use before is reused
