@@ -137,7 +137,7 @@ namespace Glint.Tests
         {
             double3 min = new double3(-5, 0, -30), max = new double3(5, 20, 30), centre = new double3(0, 10, 0);
             double reach = EchoBand.Reach(min, max, centre, isMonostatic), farthest = 0;
-            var random = new Random(1);
+            var random = new System.Random(1);
             double3 Any() => new double3(random.NextDouble(), random.NextDouble(), random.NextDouble());
             // Many at corners.
             double3 Point() => math.lerp(min, max, math.saturate(3 * Any() - 1)) - centre;

@@ -22,7 +22,8 @@ namespace Glint.Core
             new WholeFile("image.npz", WriteNumpy, HasImage) { IsOfImage = true }
         }.Concat(Polarisation.All.Select(polarisation => new WholeFile($"image-{polarisation}.png",
             (output, run) => WritePicture(output, run.Echo.Image(polarisation)),
-            run => HasImage(run) && run.Echo.Polarisations.Contains(polarisation)) { IsOfImage = true })).ToArray();
+            run => HasImage(run) && run.Echo.Polarisations.Contains(polarisation))
+        { IsOfImage = true })).ToArray();
 
         static bool HasImage(WholeRun run) => run.Echo.Settings.Image != null;
 

@@ -326,7 +326,7 @@ public sealed class EchoCommandTests : EchoFixture
     [TestCase(2, "--seed: needs --noise-figure DB", "--seed", "10")]
     [TestCase(2, "--contributions: echo has no such option", "--contributions")]
     // Bins of 0.0214 m; the farthest corner is 2506.5 m away, half of the plate's diagonal is 180.3 m.
-    [TestCase(2, "the target takes 250948 frequencies, at most 65536 are possible", "--bandwidth", "7e9", "--unit",
+    [TestCase(2, "the target takes 250342 frequencies, at most 65536 are possible", "--bandwidth", "7e9", "--unit",
         "km")]
     [TestCase(1, "is too high for its size", "--unit", "km", "--frequencies", "8", "--frequency", "9e11")]
     public void Input_ThatCannotBeComputed_IsRefusedBeforeAnyFile(int code, string message, params string[] options) =>
