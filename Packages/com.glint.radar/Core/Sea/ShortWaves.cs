@@ -52,6 +52,7 @@ namespace Glint.Core
                     + "cells, grid or tile size");
             Step = DecibelsPerUnitOfLog * PortableMath.Log(_spectrum.Omnidirectional(Cut)
                 / (longWaves.DensityScale * SeaSpectrum.Omnidirectional(settings, Cut)));
+            Height = HeightDeviation(Cut, Elfouhaily.MaxWaveNumber);
         }
 
         /// <summary>Wind of the short waves, m/s.</summary>
@@ -71,7 +72,7 @@ namespace Glint.Core
         /// <summary>
         /// Root mean square height of all waves that the mesh leaves out, metres: up to the end of the spectrum.
         /// </summary>
-        public double Height => HeightDeviation(Cut, Elfouhaily.MaxWaveNumber);
+        public double Height { get; }
 
         /// <summary>Message about a step above 3 dB, to follow the sea's name; null without one.</summary>
         public string StepWarning => !(Math.Abs(Step) > LargestStep) ? null
