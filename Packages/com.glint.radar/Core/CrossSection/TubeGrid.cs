@@ -26,9 +26,9 @@ namespace Glint.Core
         // patches are, and where paths differ.
         const double PictureWavelengths = 4;
 
-        // Side of a cell of a large target, most of whose echo comes from large parts: the outlines of patches show what rays
-        // through corners miss. At four wavelengths errors of a ship would be 1.3 times those said. Cells across a target, and
-        // across a large one.
+        // Side of a cell of a large target, most of whose echo comes from large parts: the outlines of patches show what
+        // rays through corners miss. With four wavelengths the errors of a ship exceed those said. Cells across a target,
+        // and across a large one.
         const double LargeWavelengths = 3, CellsAcross = 16, LargeCellsAcross = 64;
 
         // Maximum side of a cell at a finite range, as a fraction of sqrt(wavelength x range).

@@ -11,8 +11,8 @@ namespace Glint
     /// </summary>
     sealed class SliceForecast
     {
-        // Rays grow with 1 / error, by this power: 0.3 to 0.5 on a ship, more where there are borders. Those of a cell before
-        // the first attempt.
+        // Rays grow with 1 / error, by this power: 0.3 to 0.5 on a ship, more where there are borders. Those of a cell
+        // before the first attempt.
         const double Growth = 0.5, UnknownRaysACell = 5;
 
         // What a slice took of its forecast corrects the next one, by this factor at most, and less after fewer rays.

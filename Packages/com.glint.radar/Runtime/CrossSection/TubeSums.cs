@@ -58,7 +58,8 @@ namespace Glint
         {
             var rays = new long[PoseParts];
             for (int part = 0; part < PoseParts; part++)
-                rays[part] = (long)CountOf(output, number, part, PoseRays) + CountOf(output, number, part, PoseBorderRays);
+                rays[part] = (long)CountOf(output, number, part, PoseRays)
+                    + CountOf(output, number, part, PoseBorderRays);
             return rays;
         }
 

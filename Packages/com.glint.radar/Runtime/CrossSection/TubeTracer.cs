@@ -14,11 +14,11 @@ namespace Glint
         const int TileCells = 64;          // the pacer counts tiles
 
         // Elements of the lists, and of the corners of a dispatch times their bounces, for each of 4 GB of memory up to
-        // MaxLists, which take 0.75 GB: a slice waits for its slowest rays in each round, a fifth of the time of a short one.
+        // MaxLists. They take 0.75 GB. Long slices are faster: each waits for its slowest rays in each round.
         const int ListElements = 1 << 20, CornerElements = 3 << 20, MaxLists = 20, MebibytesAList = 4096;
 
-        // Rays of a slice for each of these elements: on a ship there is a tube for every five rays, and forecasts are wrong by a
-        // factor of two. A slice whose lists become full is traced again in two.
+        // Rays of a slice for each of these elements: on a ship there is a tube for every five rays, and forecasts are
+        // wrong by a factor of two. A slice whose lists become full is traced again in two.
         const int RaysAList = 2 << 20;
 
         // A device takes a tenth of a second for the longest lists: they begin as long as the number of poses needs, and are
