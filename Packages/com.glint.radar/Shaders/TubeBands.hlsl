@@ -10,8 +10,6 @@
 StructuredBuffer<float4> _Bands;           // per block: first sample, frequencies, half of its width in steps, 0; its middle
                                            // as an element of _WaveNumbers; the same of a step
 
-uint _HasCrossPolar;                       // 0: HV and VH are not asked for, and are not summed
-
 // Places of the outer frequencies of a parabola, in half widths: Chebyshev's.
 static const float BAND_NODE = 0.8660254;
 
@@ -143,9 +141,6 @@ void MoveWaves(inout Sum sums[11], inout Sum waves[WAVE_SUMS], uint count)
     uint rounders = count * asuint(ROUNDER);
     for (uint i = 0; i < WAVE_SUMS; i++)
     {
-        bool isCrossPolar = i >= 2 && i < 6;
-        if (isCrossPolar && _HasCrossPolar == 0)
-            continue;
         int upper = (int)(waves[i].Upper - rounders), lower = (int)(waves[i].Lower - rounders);
         AddWhole(sums[i], (uint)upper << 16, (uint)(upper >> 16));
         AddWhole(sums[i], (uint)lower, (uint)(lower >> 31));
@@ -175,16 +170,12 @@ void AddWave(inout Sum squares, inout Sum waves[WAVE_SUMS], uint tube, float ste
     float4 path = s_waves[row], parabola = s_waves[row + 1];
     float2 phasor = WavePhasor(path.x + steps * path.y);
     float2 wave = ComplexMul(parabola.xy + steps * (parabola.zw + steps * s_waves[row + 2].xy), phasor);
-    float4 coPolar = s_waves[row + 3];
+    float4 coPolar = s_waves[row + 3], crossPolar = s_waves[row + 4];
     AddUnits(waves[0], waves[1], ComplexMul(wave, coPolar.xy));
+    AddUnits(waves[2], waves[3], ComplexMul(wave, crossPolar.xy));
+    AddUnits(waves[4], waves[5], ComplexMul(wave, crossPolar.zw));
     AddUnits(waves[6], waves[7], ComplexMul(wave, coPolar.zw));
     AddUnits(waves[8], waves[9], ComplexMul(phasor, path.zw));
-    if (_HasCrossPolar != 0)
-    {
-        float4 crossPolar = s_waves[row + 4];
-        AddUnits(waves[2], waves[3], ComplexMul(wave, crossPolar.xy));
-        AddUnits(waves[4], waves[5], ComplexMul(wave, crossPolar.zw));
-    }
     AddWhole(squares, s_squares[tube].x, s_squares[tube].y);
 }
 
@@ -265,12 +256,7 @@ void TubeBands(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 waveCount++;
             }
             else
-            {
-                Radiation radiation = RadiationOf(_Tubes[index], index, _WaveNumbers[sample]);
-                if (_HasCrossPolar == 0)
-                    radiation.HV = radiation.VH = 0.0;
-                AccumulateTube(sums, _Tubes[index], radiation, overflow);
-            }
+                AccumulateTube(sums, _Tubes[index], RadiationOf(_Tubes[index], index, _WaveNumbers[sample]), overflow);
         }
     }
     MoveWaves(sums, waves, waveCount);

@@ -94,9 +94,6 @@ namespace Glint.Core
         /// <summary>Above 0: only the contributions of this bounce.</summary>
         public int OnlyBounce { get; set; }
 
-        /// <summary>Whether HV and VH are asked for; else they may be 0.</summary>
-        public bool HasCrossPolar { get; set; } = true;
-
         /// <summary>Whether edges add their fringe fields.</summary>
         public bool HasEdges { get; set; } = true;
 
@@ -154,7 +151,7 @@ namespace Glint.Core
             && Receivers.Length == other.Receivers.Length && Frequencies.SequenceEqual(other.Frequencies)
             && BandCentre == other.BandCentre && Times.SequenceEqual(other.Times) && WaveFactors == other.WaveFactors
             && MaxBounces == other.MaxBounces && OnlyBounce == other.OnlyBounce
-            && HasCrossPolar == other.HasCrossPolar && HasEdges == other.HasEdges && FadesShadows == other.FadesShadows && CreaseDegrees == other.CreaseDegrees
+            && HasEdges == other.HasEdges && FadesShadows == other.FadesShadows && CreaseDegrees == other.CreaseDegrees
             && ToleranceDb == other.ToleranceDb && FloorDbsm == other.FloorDbsm;
     }
 

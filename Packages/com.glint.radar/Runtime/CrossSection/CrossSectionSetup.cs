@@ -171,7 +171,6 @@ namespace Glint
                 Scene = PlacedScene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre,
                 Range = planned.Range ?? Range,
                 Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
-                HasCrossPolar = Polarisations.Any(polarisation => polarisation.Received != polarisation.Sent),
                 CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm,
                 BandCentre = Echo?.BandOf(Plan).Centre,
                 RangeCell = Echo?.BandOf(Plan).RangeResolution ?? double.PositiveInfinity,

@@ -15,7 +15,6 @@ namespace Glint
         public static readonly int _Receivers = Shader.PropertyToID("_Receivers");
         public static readonly int _ReceiverCount = Shader.PropertyToID("_ReceiverCount");
         public static readonly int _SlotCount = Shader.PropertyToID("_SlotCount");
-        public static readonly int _HasCrossPolar = Shader.PropertyToID("_HasCrossPolar");
         public static readonly int _IsMonostatic = Shader.PropertyToID("_IsMonostatic");
         public static readonly int _IsNear = Shader.PropertyToID("_IsNear");
         public static readonly int _Range = Shader.PropertyToID("_Range");

@@ -115,7 +115,6 @@ namespace Glint
             int groups = (pose.Samples + together - 1) / together;
             if (_hasBands)
             {
-                _shader.SetInt(TubeIDs._HasCrossPolar, pose.HasCrossPolar ? 1 : 0);
                 var blocks = TubeBands.Of(pose);
                 _blocks.Upload(blocks);
                 _shader.SetBuffer(_bands, TubeIDs._Bands, _blocks.Buffer);
