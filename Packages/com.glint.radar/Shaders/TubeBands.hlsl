@@ -103,80 +103,38 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
     return (tube.Tag & 0xff) | (isEach ? EACH_FREQUENCY : 0);
 }
 
-// A float below 2^22 plus it is that float rounded, ties to the even number; its bits are those of this number plus the
-// whole one. GPUs convert floats to integers at a fraction of the rate at which they add.
-static const float ROUNDER = 12582912.0;   // 1.5 * 2^23
-static const float UPPER_UNITS = 65536.0;
-
-// Adds units below 2^31 in magnitude, rounded, to a sum of a wave: parts in UPPER_UNITS and the rest, at most half of one,
-// each as the bits of ROUNDER plus the part. No step but the rounding is inexact, fused or not.
-void AddUnits(inout Sum sum, float units)
+// Adds units that need no more than 31 bits.
+void AddSmall(inout Sum sum, float units)
 {
-    precise float upper = mad(units, 1.0 / UPPER_UNITS, ROUNDER);
-    precise float lower = mad(ROUNDER - upper, UPPER_UNITS, units) + ROUNDER;
-    sum.Upper += asuint(upper);
-    sum.Lower += asuint(lower);
+    int whole = (int)round(units);
+    uint lower = (uint)whole;
+    sum.Lower += lower;
+    sum.Upper += (whole < 0 ? 0xffffffff : 0) + (sum.Lower < lower ? 1 : 0);
 }
 
-void AddUnits(inout Sum real, inout Sum imaginary, float2 units)
+void AddSmall(inout Sum real, inout Sum imaginary, float2 units)
 {
-    AddUnits(real, units.x);
-    AddUnits(imaginary, units.y);
-}
-
-static const uint WAVE_SUMS = 10;
-
-void ClearWaves(out Sum waves[WAVE_SUMS])
-{
-    for (uint i = 0; i < WAVE_SUMS; i++)
-    {
-        waves[i].Lower = 0;
-        waves[i].Upper = 0;
-    }
-}
-
-// Moves the sums of a number of waves to others.
-void MoveWaves(inout Sum sums[11], inout Sum waves[WAVE_SUMS], uint count)
-{
-    uint rounders = count * asuint(ROUNDER);
-    for (uint i = 0; i < WAVE_SUMS; i++)
-    {
-        int upper = (int)(waves[i].Upper - rounders), lower = (int)(waves[i].Lower - rounders);
-        AddWhole(sums[i], (uint)upper << 16, (uint)(upper >> 16));
-        AddWhole(sums[i], (uint)lower, (uint)(lower >> 31));
-    }
-    ClearWaves(waves);
-}
-
-// Cosine and sine of a number of turns, to 1e-6 and the rounding of the turns, with neither conversions to integers nor
-// divisions: Taylor's series over half a turn.
-float2 WavePhasor(float turns)
-{
-    precise float halves = mad(turns, 2.0, ROUNDER);
-    precise float x = mad(halves - ROUNDER, -0.5, turns);
-    float square = x * x;
-    float sine = x * (6.28318531 + square * (-41.3417022 + square * (81.6052493 + square * (-76.7058598
-        + square * (42.0586939 - square * 15.0946426)))));
-    float cosine = 1.0 + square * (-19.7392088 + square * (64.939394 + square * (-85.4568172
-        + square * (60.2446414 - square * 26.4262568))));
-    // Half a turn more changes both signs.
-    return asfloat(asuint(float2(cosine, sine)) ^ (asuint(halves) << 31));
+    AddSmall(real, units.x);
+    AddSmall(imaginary, units.y);
 }
 
 // Adds a tube of the group at a frequency, some steps from the middle of the block.
-void AddWave(inout Sum squares, inout Sum waves[WAVE_SUMS], uint tube, float steps)
+void AddWave(inout Sum sums[11], uint tube, float steps)
 {
     uint row = WAVE_ROWS * tube;
     float4 path = s_waves[row], parabola = s_waves[row + 1];
-    float2 phasor = WavePhasor(path.x + steps * path.y);
+    float turns = path.x + steps * path.y;
+    float2 phasor = Phasor(turns - floor(turns));
     float2 wave = ComplexMul(parabola.xy + steps * (parabola.zw + steps * s_waves[row + 2].xy), phasor);
     float4 coPolar = s_waves[row + 3], crossPolar = s_waves[row + 4];
-    AddUnits(waves[0], waves[1], ComplexMul(wave, coPolar.xy));
-    AddUnits(waves[2], waves[3], ComplexMul(wave, crossPolar.xy));
-    AddUnits(waves[4], waves[5], ComplexMul(wave, crossPolar.zw));
-    AddUnits(waves[6], waves[7], ComplexMul(wave, coPolar.zw));
-    AddUnits(waves[8], waves[9], ComplexMul(phasor, path.zw));
-    AddWhole(squares, s_squares[tube].x, s_squares[tube].y);
+    AddSmall(sums[0], sums[1], ComplexMul(wave, coPolar.xy));
+    AddSmall(sums[2], sums[3], ComplexMul(wave, crossPolar.xy));
+    AddSmall(sums[4], sums[5], ComplexMul(wave, crossPolar.zw));
+    AddSmall(sums[6], sums[7], ComplexMul(wave, coPolar.zw));
+    AddSmall(sums[8], sums[9], ComplexMul(phasor, path.zw));
+    uint2 squares = s_squares[tube];
+    sums[10].Lower += squares.x;
+    sums[10].Upper += squares.y + (sums[10].Lower < squares.x ? 1 : 0);
 }
 
 // Puts the tubes of the group into the order of their slots: tubes of several poses may lie in any order, and each change
@@ -224,9 +182,7 @@ void TubeBands(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     SortTubes(thread, tubes);
     Sum sums[11];
     Clear(sums);
-    Sum waves[WAVE_SUMS];
-    ClearWaves(waves);
-    uint overflow = 0, held = NO_SLOT, waveCount = 0;
+    uint overflow = 0, held = NO_SLOT;
     [loop]
     for (uint part = 0; part < TUBES_A_GROUP; part += GLINT_GROUP)
     {
@@ -242,8 +198,6 @@ void TubeBands(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             uint slot = s_slots[i];
             if ((slot & 0xff) != held)
             {
-                MoveWaves(sums, waves, waveCount);
-                waveCount = 0;
                 AddSums(held, sample, copy, sums, overflow);
                 Clear(sums);
                 overflow = 0;
@@ -251,15 +205,11 @@ void TubeBands(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             }
             uint index = s_order[part + i];
             if ((slot & EACH_FREQUENCY) == 0)
-            {
-                AddWave(sums[10], waves, i, steps);
-                waveCount++;
-            }
+                AddWave(sums, i, steps);
             else
                 AccumulateTube(sums, _Tubes[index], RadiationOf(_Tubes[index], index, _WaveNumbers[sample]), overflow);
         }
     }
-    MoveWaves(sums, waves, waveCount);
     AddSums(held, sample, copy, sums, overflow);
 }
 

@@ -26,12 +26,6 @@ struct Sum
     uint Upper;
 };
 
-void AddWhole(inout Sum sum, uint lower, uint upper)
-{
-    sum.Lower += lower;
-    sum.Upper += upper + (sum.Lower < lower ? 1 : 0);
-}
-
 void Accumulate(inout Sum sum, float units, inout uint overflow)
 {
     float whole = round(units), magnitude = abs(whole);
@@ -46,7 +40,8 @@ void Accumulate(inout Sum sum, float units, inout uint overflow)
         upper = lower == 0 ? 0 - upper : ~upper;
         lower = 0 - lower;
     }
-    AddWhole(sum, lower, upper);
+    sum.Lower += lower;
+    sum.Upper += upper + (sum.Lower < lower ? 1 : 0);
 }
 
 void Accumulate(inout Sum real, inout Sum imaginary, float2 units, inout uint overflow)
