@@ -243,11 +243,11 @@ uint SlotOfAll(uint slot)
 static uint s_part = 0;                    // of the slice, in which this thread counts
 
 // Counts what this thread does beside a base cell of its pose's slice, or beside a corner of one.
-void CountAt(uint2 place)
+void CountAt(uint2 position)
 {
     uint4 slice = _Poses[s_pose].Slice;
     uint across = _Poses[s_pose].Cells.x;
-    uint2 inSlice = place - uint2(slice.x % across, slice.x / across);
+    uint2 inSlice = position - uint2(slice.x % across, slice.x / across);
     s_part = min((inSlice.x + inSlice.y * slice.z) * POSE_PARTS / slice.y, POSE_PARTS - 1);
 }
 
