@@ -83,8 +83,7 @@ public sealed unsafe class ComputeProgram : IDisposable
             if (_module == 0)
                 throw new ObjectDisposedException(nameof(ComputeProgram), $"kernel {Name} was disposed");
             if (_pipeline == 0)
-                _pipeline = _device.Pipelines.TryGetValue(_cacheFile.Name, out ulong pipeline)
-                    ? pipeline : CreatePipeline();
+                _pipeline = _device.Pipelines.GetOrAdd(_cacheFile.Name, _ => new Lazy<ulong>(CreatePipeline)).Value;
             return _pipeline;
         }
     }
@@ -201,7 +200,6 @@ public sealed unsafe class ComputeProgram : IDisposable
                 VulkanException.Check(
                     Native.vkCreateComputePipelines(_device.Handle, cache, 1, &info, null, out ulong pipeline),
                     $"compile kernel {Name} on {_device.Info.Name}");
-                _device.Pipelines.Add(_cacheFile.Name, pipeline);
                 if (cache != 0)
                     SaveCache(cache);
                 return pipeline;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading.Tasks;
@@ -66,9 +67,9 @@ public sealed unsafe class VulkanDevice : IDisposable
 
     /// <summary>
     /// Compiled kernels by the names of their <see cref="PipelineCacheFile"/>s, until the device is disposed: programs
-    /// of the same kernel share one.
+    /// of the same kernel share one. Some are compiled on other threads.
     /// </summary>
-    internal Dictionary<string, ulong> Pipelines { get; } = [];
+    internal ConcurrentDictionary<string, Lazy<ulong>> Pipelines { get; } = [];
 
     /// <summary>Buffers that are not disposed.</summary>
     internal IReadOnlyCollection<GpuBuffer> Buffers => _resources.OfType<GpuBuffer>().ToArray();
@@ -271,8 +272,8 @@ public sealed unsafe class VulkanDevice : IDisposable
             Native.vkDeviceWaitIdle(_handle); // a lost device returns an error and can still be destroyed
             foreach (var program in _programs)
                 program.Destroy();
-            foreach (ulong pipeline in Pipelines.Values)
-                Native.vkDestroyPipeline(_handle, pipeline, null);
+            foreach (var pipeline in Pipelines.Values.Where(made => made.IsValueCreated))
+                Native.vkDestroyPipeline(_handle, pipeline.Value, null);
             // A picture disposes the buffer that it is copied to.
             foreach (var resource in _resources.OrderByDescending(resource => resource is GpuImage).ToArray())
                 resource.Destroy();
