@@ -53,9 +53,12 @@ namespace Glint.Reference
         /// <summary>What the antennas receive of waves that travel against a direction: V and H.</summary>
         public (double3 v, double3 h) Polarisations(double3 toReceiver) => Across(_aspect, toReceiver);
 
-        /// <summary>V and H of an aspect without their components along a direction.</summary>
-        public static (double3 v, double3 h) Across(in RadarAspect aspect, double3 direction) =>
-            (aspect.Up - math.dot(aspect.Up, direction) * direction,
-                aspect.Right - math.dot(aspect.Right, direction) * direction);
+        /// <summary>V and H of an aspect, turned to be perpendicular to a direction.</summary>
+        public static (double3 v, double3 h) Across(in RadarAspect aspect, double3 direction)
+        {
+            double3 v = math.normalize(aspect.Up - math.dot(aspect.Up, direction) * direction);
+            double3 h = aspect.Right - math.dot(aspect.Right, direction) * direction;
+            return (v, math.normalize(h - math.dot(h, v) * v));
+        }
     }
 }

@@ -26,6 +26,9 @@ namespace Glint.Reference
         // Square of the sine of the angle between ray and edge below which there is no leading term.
         const double MinSquareSine = 1e-9;
 
+        // Length of a piece at a finite range, where directions change along it.
+        const double NearWavelengths = 1.0 / 16;
+
         readonly CrossSectionPose _pose;
         readonly ReferenceBvh _bvh;
         readonly CrossSectionReceiver[] _receivers;
@@ -45,7 +48,8 @@ namespace Glint.Reference
         /// <summary>Adds the edges to the sums of each receiver and frequency.</summary>
         public void Add(ScatteringMatrix[,] sums)
         {
-            double longest = TubeGrid.EdgeWavelengths * Signal.SpeedOfLight / _pose.Frequencies[_pose.Frequencies.Length - 1];
+            double longest = (_pose.IsFar ? TubeGrid.EdgeWavelengths : NearWavelengths) * Signal.SpeedOfLight
+                / _pose.Frequencies[_pose.Frequencies.Length - 1];
             foreach (var wedge in _wedges)
             {
                 // Rays bounce on the inside of a corner; its edge adds nothing.

@@ -36,8 +36,7 @@ Receiver ReceiverFrom(uint index, float3 position)
         receiver.Direction = way / receiver.Distance;
         // the difference of both distances, without cancellation
         receiver.Phase = dot(position, place.xyz + way) / (receiver.Distance + place.w);
-        receiver.V -= receiver.Direction * dot(receiver.Direction, receiver.V);
-        receiver.H -= receiver.Direction * dot(receiver.Direction, receiver.H);
+        TurnAcross(receiver.Direction, receiver.V, receiver.H);
         receiver.Strength = _Range / receiver.Distance;
     }
     return receiver;
@@ -176,21 +175,34 @@ float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
     return scale * strength;
 }
 
-// Part: see _TubeParts. Rate: see RateOf.
-void AddTube(Tube tube, uint part, float3 rate)
+static const uint NO_TUBE = 0xffffffff;
+
+// Sets what the currents of a tube change along u, 0, or along v, 1: see _TubeExtras.
+void SetSlope(uint tube, uint axis, float4 coPolar, float4 crossPolar)
+{
+    uint row = FirstExtra(tube) + 1 + axis;
+    _TubeExtras[row] = coPolar;
+    _TubeExtras[row + 2] = crossPolar;
+}
+
+// Part: see _TubeParts. Rate: see RateOf. Returns its number, or NO_TUBE.
+uint AddTube(Tube tube, uint part, float3 rate)
 {
     if ((tube.Tag >> 8 & 0xff) != _OnlyBounce && _OnlyBounce != 0)
-        return;
+        return NO_TUBE;
     uint at;
     InterlockedAdd(_Sums[TUBE_COUNT], 1, at);
     InterlockedAdd(_Sums[CountWord(POSE_TUBES)], 1);
     if (at >= _ListCapacity.x)
-        return;
+        return NO_TUBE;
     _Tubes[at] = tube;
     if (_HasParts != 0)
         _TubeParts[at] = part;
     if (_IsMoving != 0)
-        _TubeRates[at] = float4(rate, 0.0);
+        _TubeExtras[FirstExtra(at)] = float4(rate, 0.0);
+    for (uint axis = 0; axis < 2 && _IsNear != 0; axis++)
+        SetSlope(at, axis, 0.0, 0.0);
+    return at;
 }
 
 #endif

@@ -17,6 +17,9 @@ static const float BAND_NODE = 0.8660254;
 // 1/24 of its third power, as a fraction of the area of the piece: -70 dB.
 static const float MAX_BAND_PHASE = 0.2;
 
+// Half the change of the currents over a square that is left out: its integral is less than half of that.
+static const float MAX_BAND_SLOPE = 1.0e-3;
+
 // Units of S that need no more than 31 bits.
 static const float MAX_BAND_UNITS = 1073741824.0;
 
@@ -37,12 +40,24 @@ float PhaseExtent(Tube tube, float k, float2 w)
 {
     uint count = tube.Tag >> 16;
     if (count == EDGE_CORNERS)
-        return abs(0.5 * tube.Corners01.x * w.x);
+        return abs(0.5 * tube.Corners01.x * w.x) + k * abs(tube.Corners01.y);
     if (count == 0)
         return 0.5 * tube.Corners01.x * (abs(w.x) + abs(w.y)) + k * dot(abs(tube.Corners01.yzw), 1.0);
     float4 extents = abs(float4(dot(w, tube.Corners01.xy), dot(w, tube.Corners01.zw), dot(w, tube.Corners23.xy),
         dot(w, tube.Corners23.zw)));
     return max(max(max(extents.x, extents.y), max(extents.z, extents.w)), abs(dot(w, tube.Corner4)));
+}
+
+// Largest change of the currents over a square (_TubeExtras).
+float LargestSlope(uint index)
+{
+    float largest = 0.0;
+    for (uint row = 1; row < NEAR_EXTRAS && _IsNear != 0; row++)
+    {
+        float4 slope = _TubeExtras[FirstExtra(index) + row];
+        largest = max(largest, dot(slope, slope));
+    }
+    return sqrt(largest);
 }
 
 // Leaves to the group what a tube radiates over a block. Returns its element of s_slots.
@@ -54,7 +69,7 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
     float metres = tube.Phase;
     if (_IsMoving != 0)
     {
-        float3 rate = _TubeRates[index].xyz;
+        float3 rate = _TubeExtras[FirstExtra(index)].xyz;
         turns = Add(turns, Mul(Mul(turnsPerMetre, centre.w), rate.z));
         gradient += centre.w * rate.xy;
         metres += centre.w * rate.z;
@@ -99,7 +114,8 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
     float largest = MagnitudeOf(tube)
         * (length(atCentre) + size.z * length(slope) + size.z * size.z * length(curve)) + length(bent);
     float phase = PhaseExtent(tube, centre.x, centre.x * gradient) * size.z * step.x / centre.x;
-    bool isEach = overflow != 0 || IsNaN(largest) || largest > MAX_BAND_UNITS || phase > MAX_BAND_PHASE;
+    bool isEach = overflow != 0 || IsNaN(largest) || largest > MAX_BAND_UNITS || phase > MAX_BAND_PHASE
+        || LargestSlope(index) > MAX_BAND_SLOPE * MagnitudeOf(tube);
     return (tube.Tag & 0xff) | (isEach ? EACH_FREQUENCY : 0);
 }
 

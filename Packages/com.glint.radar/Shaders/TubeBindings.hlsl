@@ -63,7 +63,8 @@ struct Tube
     uint Tag;             // slot of all poses (SlotOf) | bounce << 8 | corners << 16; no corners: a square about the ray
     float4 CoPolar;       // p.C times area a base cell, m2: VV, HH
     float4 CrossPolar;    // HV, VH
-    float4 Corners01;     // of the polygon, from the place of the ray; of a square its side and bends, m
+    float4 Corners01;     // of the polygon, from the place of the ray; of a square its side and bends, m; of an edge its
+                          // length and bend, m
     float4 Corners23;     // of a square its strength, as a fraction of p.C: mean, change by u and v, twist
     float2 Corner4;
     float Error;          // magnitude of the error of p.C times area, m2
@@ -262,7 +263,16 @@ RWStructuredBuffer<Tube> _Tubes;
 // Parts, whose contributions are summed apart: the triangles of all instances, the edges of each object, the bounces.
 RWStructuredBuffer<uint> _TubeParts;       // of each tube: the triangle, or the edges of an object
 uint _HasParts;                            // 0: they are not asked for
-RWStructuredBuffer<float4> _TubeRates;     // of each tube, only if something moves: see RateOf
+
+// Of each tube its rate, only if something moves: see RateOf. At a finite range this row is there in any case, and behind it
+// are halves of the differences of CoPolar from side to side of a square or edge, along u and along v; then of CrossPolar.
+RWStructuredBuffer<float4> _TubeExtras;
+static const uint NEAR_EXTRAS = 5;         // rows of a tube at a finite range
+
+uint FirstExtra(uint tube)
+{
+    return _IsNear != 0 ? NEAR_EXTRAS * tube : tube;
+}
 
 // GLINT_CORNER: what the ray through a corner of a cell has met at a bounce (Runtime/CrossSection/Tube.cs).
 struct Corner

@@ -136,11 +136,12 @@ float SquareSine(float3 direction, float3 along)
     return dot(across, across);
 }
 
-// The lit part of a piece, as a tube of EDGE_CORNERS: the length takes the place of the side.
-Tube FringeOf(EdgePiece piece, float2 part, uint index)
+// A piece as a tube of EDGE_CORNERS, without its length, which takes the place of the side. Phase and coefficients are those
+// at a distance along it from its middle, m.
+Tube FringeAt(EdgePiece piece, float distance, uint index)
 {
-    float3 middle = piece.Centre + 0.5 * (part.x + part.y) * piece.Along, t = piece.Along;
-    Receiver radar = ReceiverFrom(_ReceiverCount, middle), receiver = ReceiverFrom(index, middle);
+    float3 at = piece.Centre + distance * piece.Along, t = piece.Along;
+    Receiver radar = ReceiverFrom(_ReceiverCount, at), receiver = ReceiverFrom(index, at);
     float3 v = normalize(radar.V), h = normalize(radar.H - v * dot(v, radar.H));
     float2 coefficients = FringeCoefficients(piece.OuterAngle, AngleAround(piece, radar.Direction),
         AngleAround(piece, receiver.Direction));
@@ -159,7 +160,6 @@ Tube FringeOf(EdgePiece piece, float2 part, uint index)
     fringe.Tag = SlotOfAll(index) | EDGE_CORNERS << 16;
     fringe.CoPolar = float4(coPolar.x, 0.0, coPolar.y, 0.0);
     fringe.CrossPolar = float4(crossPolar.x, 0.0, crossPolar.y, 0.0);
-    fringe.Corners01.x = part.y - part.x;
     return fringe;
 }
 
@@ -171,6 +171,26 @@ float3 RateAt(EdgePiece piece, float2 part, uint index)
     float3 middle = piece.Centre + 0.5 * (part.x + part.y) * piece.Along;
     float3 turn = ReceiverFrom(_ReceiverCount, middle).Direction + ReceiverFrom(index, middle).Direction;
     return RateOf(piece.Instance, middle, piece.Along, 0.0, turn, 0.0, 0.0);
+}
+
+// Adds the lit part of a piece. At a finite range its phase is exact at its ends, where the next piece begins, and bent
+// between them, and its coefficients change along it.
+void AddFringe(Tube fringe, EdgePiece piece, float2 part, uint index)
+{
+    float3 rate = RateAt(piece, part, index);
+    if (_IsNear == 0)
+    {
+        AddTube(fringe, piece.Part, rate);
+        return;
+    }
+    Tube first = FringeAt(piece, part.x, index), last = FringeAt(piece, part.y, index);
+    float phase = 0.5 * (first.Phase + last.Phase);
+    fringe.Corners01.y = phase - fringe.Phase;
+    fringe.Phase = phase;
+    fringe.Gradient.x = (last.Phase - first.Phase) / (part.y - part.x);
+    uint added = AddTube(fringe, piece.Part, rate);
+    if (added != NO_TUBE)
+        SetSlope(added, 0, 0.5 * (last.CoPolar - first.CoPolar), 0.5 * (last.CrossPolar - first.CrossPolar));
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -196,11 +216,12 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     AddTo(CountWord(POSE_RAYS), rays);
     if (part.x >= part.y)
         return;
-    Tube fringe = FringeOf(piece, part, index);
+    Tube fringe = FringeAt(piece, 0.5 * (part.x + part.y), index);
+    fringe.Corners01.x = part.y - part.x;
     // Standard deviation of a border that is anywhere within its interval.
     bool isWhole = part.y - part.x == piece.Length;
     fringe.Error = isWhole ? 0.0 : 0.289 * piece.Length / (1u << EDGE_BISECTIONS) * MagnitudeOf(fringe);
-    AddTube(fringe, piece.Part, RateAt(piece, part, index));
+    AddFringe(fringe, piece, part, index);
 }
 
 #endif

@@ -26,6 +26,16 @@ uint ReceiversFaced(TubePath tube, SurfacePoint at)
     return receivers;
 }
 
+// Second derivative of the phase by u or v towards a receiver at a finite range, beside that of the wave that arrives, m: the
+// distance to the receiver is bent, and rays of a cone meet the facet at places that are not linear in u and v. placeBy, turnBy
+// and slope: derivatives of place, direction and phase.
+float NearBend(TubePath tube, SurfacePoint at, Receiver receiver, float3 placeBy, float3 turnBy, float slope)
+{
+    float along = dot(receiver.Direction, placeBy);
+    return (along * along - dot(placeBy, placeBy)) / receiver.Distance
+        - 2.0 * slope * dot(at.Normal, turnBy) / dot(at.Normal, tube.Path.Ray.Direction);
+}
+
 // Relative error of a piece of a cell of a side of one by the curvatures of surface and wave at a hit: its phase is taken as
 // linear.
 float BentOf(TubePath tube, SurfacePoint at, Receiver receiver)
@@ -34,6 +44,12 @@ float BentOf(TubePath tube, SurfacePoint at, Receiver receiver)
     float surface = (1.0 - dot(receiver.Direction, d)) / dot(at.Normal, d);
     float bendU = surface * dot(at.NormalU, tube.PlaceU) - dot(tube.DirectionU, tube.PlaceU),
         bendV = surface * dot(at.NormalV, tube.PlaceV) - dot(tube.DirectionV, tube.PlaceV);
+    if (_IsNear != 0)
+    {
+        float2 slope = PhaseSlope(tube, receiver);
+        bendU += NearBend(tube, at, receiver, tube.PlaceU, tube.DirectionU, slope.x);
+        bendV += NearBend(tube, at, receiver, tube.PlaceV, tube.DirectionV, slope.y);
+    }
     return 0.06 * _WaveNumber * (abs(bendU) + abs(bendV));
 }
 

@@ -55,6 +55,14 @@ static const float MIN_COSINE = 1.0e-4;
 // Maximum section of a tube, in those of its start: its field is then 1/1000.
 static const float MAX_SPREAD = 1.0e6;
 
+// Turns V and H of an antenna, to be perpendicular to a direction.
+void TurnAcross(float3 direction, inout float3 v, inout float3 h)
+{
+    v = normalize(v - direction * dot(direction, v));
+    h -= direction * dot(direction, h);
+    h = normalize(h - v * dot(v, h));
+}
+
 TubePath BeginTube(float2 position)
 {
     TubePose pose = _Poses[s_pose];
@@ -63,15 +71,24 @@ TubePath BeginTube(float2 position)
     float size = length(whole);
     float3 d = whole / size;
     TubePath tube = (TubePath)0;
+    // What the ray is longer up to the grid than the view axis, for each metre of it; at a finite range without
+    // cancellation: the axis is along GridDepth.
+    float longer = size - 1.0;
+    if (_IsNear != 0)
+    {
+        float3 aside = cross(whole, normalize(pose.GridDepth.xyz));
+        longer = dot(aside, aside) / (size + 1.0);
+    }
     tube.Path = BeginPath(pose.Origin.xyz + at.x * pose.OriginDx.xyz + at.y * pose.OriginDy.xyz, d,
-        pose.OriginDepth * (size - 1.0));
+        pose.OriginDepth * longer);
     tube.PlaceU = pose.OriginDx.xyz;
     tube.PlaceV = pose.OriginDy.xyz;
+    tube.LengthSlope = pose.OriginDepth * float2(dot(d, pose.DirectionDx.xyz), dot(d, pose.DirectionDy.xyz));
     tube.DirectionU = (pose.DirectionDx.xyz - d * dot(d, pose.DirectionDx.xyz)) / size;
     tube.DirectionV = (pose.DirectionDy.xyz - d * dot(d, pose.DirectionDy.xyz)) / size;
-    tube.V = normalize(pose.SentV.xyz - d * dot(d, pose.SentV.xyz));
-    tube.H = pose.SentH.xyz - d * dot(d, pose.SentH.xyz);
-    tube.H = normalize(tube.H - tube.V * dot(tube.V, tube.H));
+    tube.V = pose.SentV.xyz;
+    tube.H = pose.SentH.xyz;
+    TurnAcross(d, tube.V, tube.H);
     tube.FieldV = float4(1.0, 0.0, 0.0, 0.0);
     tube.FieldH = float4(0.0, 0.0, 1.0, 0.0);
     tube.StartSection = _IsNear != 0

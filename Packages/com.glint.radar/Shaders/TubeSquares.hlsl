@@ -95,6 +95,46 @@ float3 BendsOf(Bounce bounce, Receiver receiver)
         PhaseOf(bounce.Twist, receiver));
 }
 
+// What a ray beside a hit meets, some base cells away: the same, to first order.
+void MoveBeside(inout TubePath tube, inout SurfacePoint at, float2 step)
+{
+    float3 d = tube.Path.Ray.Direction, turn = step.x * tube.DirectionU + step.y * tube.DirectionV;
+    tube.Path.Ray.Origin += step.x * tube.PlaceU + step.y * tube.PlaceV;
+    tube.Path.Ray.Direction = normalize(d + turn);
+    tube.V -= d * dot(turn, tube.V);
+    tube.H -= d * dot(turn, tube.H);
+    at.Normal = normalize(at.Normal + step.x * at.NormalU + step.y * at.NormalV);
+}
+
+// Sets how the currents of a square's tube change from side to side, for the strength of its centre: directions and
+// polarisations at a finite range are those of each place.
+void SetSlopes(uint added, TubePath tube, SurfacePoint at, uint index, uint receivers, float strength, float side)
+{
+    if (_IsNear == 0 || added == NO_TUBE)
+        return;
+    [loop]
+    for (uint axis = 0; axis < 2; axis++)
+    {
+        float4 coPolar = 0.0, crossPolar = 0.0;
+        [loop]
+        for (float sense = -1.0; sense <= 1.0; sense += 2.0)
+        {
+            TubePath beside = tube;
+            SurfacePoint there = at;
+            MoveBeside(beside, there, 0.5 * side * sense * float2(1 - axis, axis));
+            float strengthThere = StrengthAt(beside, there, receivers);
+            // Past a silhouette there is nothing.
+            if (IsNaN(strengthThere) || strengthThere <= max(MIN_STRENGTH * strength, MIN_CURRENTS))
+                return;
+            Tube currents = CurrentsAt(beside, there, index, ReceiverFrom(index, beside.Path.Ray.Origin));
+            float part = 0.5 * sense * strength / strengthThere;
+            coPolar += part * currents.CoPolar;
+            crossPolar += part * currents.CrossPolar;
+        }
+        SetSlope(added, axis, coPolar, crossPolar);
+    }
+}
+
 static const uint NO_RECEIVER = 0xffffffff;
 
 // Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
@@ -147,7 +187,8 @@ bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, fl
             currents.Corners01.x = side;
             currents.Corners23 = strength > max(MIN_STRENGTH * mean, MIN_CURRENTS) ? bounce.Strength / strength
                 : float4(1.0, 0.0, 0.0, 0.0);
-            AddTube(currents, at.Part, RateTo(receiver, tube, at));
+            uint added = AddTube(currents, at.Part, RateTo(receiver, tube, at));
+            SetSlopes(added, tube, at, index, receivers, strength, side);
         }
     return true;
 }

@@ -72,27 +72,40 @@ float ThirdBessel(float x, float2 wave)
         : ((3.0 - s) * wave.y - 3.0 * x * wave.x) / (s * s * x);
 }
 
+// Means over a line, along which a place runs from -1 to 1. The phase is linear but for a bend, which is expanded to second
+// order, to first order in Along, and left out of Square.
+struct LineMeans
+{
+    float2 Wave;           // of exp(j phase)
+    float2 Along;          // of its product with the place
+    float Square;          // of its product with the square of the place
+};
+
+// x: half the linear phase over the line; bend: the phase that the curvature adds at its ends.
+LineMeans MeansOf(float x, float bend)
+{
+    float2 wave = PhasorOf(x);
+    float zero = Sinc(x), first = SecondBessel(x, wave), second = ThirdBessel(x, wave);
+    LineMeans means;
+    means.Wave = float2(zero - 4.0 * bend * bend * second, -2.0 * bend * first);
+    means.Along = float2(2.0 * bend * x * second, x * first);
+    means.Square = zero - 2.0 * first;
+    return means;
+}
+
 // Integral of a strength times exp(j phase) over a square about its centre, by its area, for a phase that is linear but for
 // terms of second order: x half the linear phase over a side, bends the phases that curvatures and twist add at the corners.
 // Phases and strengths at the corners are exact, so that neighbouring squares meet; what bends between them is expanded to
 // second order, and to first where the strength changes.
 float2 SquareIntegral(float2 x, float3 bends, float4 strength)
 {
-    float2 waveU = PhasorOf(x.x), waveV = PhasorOf(x.y);
-    float zeroU = Sinc(x.x), firstU = SecondBessel(x.x, waveU), secondU = ThirdBessel(x.x, waveU);
-    float zeroV = Sinc(x.y), firstV = SecondBessel(x.y, waveV), secondV = ThirdBessel(x.y, waveV);
-    float2 u = float2(zeroU - 4.0 * bends.x * bends.x * secondU, -2.0 * bends.x * firstU);
-    float2 v = float2(zeroV - 4.0 * bends.y * bends.y * secondV, -2.0 * bends.y * firstV);
-    // The first moments, without and with bends.
-    float momentU = x.x * firstU, momentV = x.y * firstV, squareU = zeroU - 2.0 * firstU, squareV = zeroV - 2.0 * firstV;
-    float2 alongU = float2(2.0 * bends.x * x.x * secondU, momentU), alongV = float2(2.0 * bends.y * x.y * secondV, momentV);
-    float2 twist = float2(-0.5 * bends.z * bends.z * squareU * squareV
-        - 2.0 * bends.z * (bends.x * x.x * secondU * momentV + bends.y * x.y * secondV * momentU),
-        -bends.z * momentU * momentV);
-    return strength.x * (ComplexMul(u, v) + twist)
-        + strength.y * (ComplexMul(alongU, v) - float2(bends.z * squareU * momentV, 0.0))
-        + strength.z * (ComplexMul(u, alongV) - float2(bends.z * squareV * momentU, 0.0))
-        + strength.w * (ComplexMul(alongU, alongV) + float2(0.0, bends.z * squareU * squareV));
+    LineMeans u = MeansOf(x.x, bends.x), v = MeansOf(x.y, bends.y);
+    float2 twist = float2(-0.5 * bends.z * bends.z * u.Square * v.Square
+        - bends.z * (u.Along.x * v.Along.y + v.Along.x * u.Along.y), -bends.z * u.Along.y * v.Along.y);
+    return strength.x * (ComplexMul(u.Wave, v.Wave) + twist)
+        + strength.y * (ComplexMul(u.Along, v.Wave) - float2(bends.z * u.Square * v.Along.y, 0.0))
+        + strength.z * (ComplexMul(u.Wave, v.Along) - float2(bends.z * v.Square * u.Along.y, 0.0))
+        + strength.w * (ComplexMul(u.Along, v.Along) + float2(0.0, bends.z * u.Square * v.Square));
 }
 
 // Integral of exp(j w.x) over a convex polygon (Gordon 1975), w rad a base cell.
@@ -142,7 +155,8 @@ TubeShape ShapeOf(Tube tube, float k, float2 w)
     shape.Factor = isPlain ? float2(1.0, 0.0) : float2(0.0, -1.0);
     shape.Cancelled = 0.0;
     if (isEdge)
-        shape.Integral = float2(tube.Corners01.x * Sinc(0.5 * tube.Corners01.x * w.x), 0.0);
+        shape.Integral = tube.Corners01.x
+            * MeansOf(0.5 * tube.Corners01.x * w.x, k * tube.Corners01.y).Wave;
     else if (count == 0)
     {
         float side = tube.Corners01.x;
@@ -166,6 +180,30 @@ struct Radiation
     float2 Cancelled;      // of a square: the part of its area that its phase cancels, times exp(j phase) at the middle
 };
 
+// Adds what the currents of a square or edge change along it: see _TubeExtras. unit: S of an integral of 1.
+void AddSlopes(inout Radiation radiation, Tube tube, uint index, float k, float2 w, float2 unit)
+{
+    float size = tube.Corners01.x;
+    float2 x = 0.5 * size * w, alongU = 0.0, alongV = 0.0;
+    if (tube.Tag >> 16 == EDGE_CORNERS)
+        alongU = size * MeansOf(x.x, k * tube.Corners01.y).Along;
+    else if (tube.Tag >> 16 == 0)
+    {
+        float3 bends = k * tube.Corners01.yzw;
+        alongU = size * size * SquareIntegral(x, bends, float4(0.0, 1.0, 0.0, 0.0));
+        alongV = size * size * SquareIntegral(x, bends, float4(0.0, 0.0, 1.0, 0.0));
+    }
+    alongU = ComplexMul(alongU, unit);
+    alongV = ComplexMul(alongV, unit);
+    uint row = FirstExtra(index) + 1;
+    float4 coPolarU = _TubeExtras[row], coPolarV = _TubeExtras[row + 1], crossPolarU = _TubeExtras[row + 2],
+        crossPolarV = _TubeExtras[row + 3];
+    radiation.VV += ComplexMul(alongU, coPolarU.xy) + ComplexMul(alongV, coPolarV.xy);
+    radiation.HV += ComplexMul(alongU, crossPolarU.xy) + ComplexMul(alongV, crossPolarV.xy);
+    radiation.VH += ComplexMul(alongU, crossPolarU.zw) + ComplexMul(alongV, crossPolarV.zw);
+    radiation.HH += ComplexMul(alongU, coPolarU.zw) + ComplexMul(alongV, coPolarV.zw);
+}
+
 Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
 {
     float k = waveNumber.x;
@@ -174,7 +212,7 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
 #ifndef GLINT_AMPLITUDE
     if (_IsMoving != 0)
     {
-        float3 rate = _TubeRates[index].xyz;
+        float3 rate = _TubeExtras[FirstExtra(index)].xyz;
         phase = Add(phase, Mul(Mul(turnsPerMetre, waveNumber.w), rate.z));
         w += k * waveNumber.w * rate.xy;
     }
@@ -189,6 +227,10 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
     radiation.VH = ComplexMul(wave, tube.CrossPolar.zw);
     radiation.HH = ComplexMul(wave, tube.CoPolar.zw);
     radiation.Scale = shape.Scale;
+#ifndef GLINT_AMPLITUDE
+    if (_IsNear != 0)
+        AddSlopes(radiation, tube, index, k, w, _UnitsPerMetre * shape.Scale * ComplexMul(phasor, shape.Factor));
+#endif
     return radiation;
 }
 

@@ -160,11 +160,14 @@ namespace Glint.Tests
 
         // A band is summed by blocks, with the shapes of tubes from three frequencies of each. Two frequencies are summed each
         // by itself, and the last of the band gives them the band's tubes. Float32 holds the phases to 5e-6.
-        [Test, Timeout(60000)]
-        public void Trace_Band_IsThatOfFrequenciesByThemselves([Values(0, 0.02)] double time)
+        [TestCase(0, double.PositiveInfinity)]
+        [TestCase(0.02, double.PositiveInfinity)]
+        [TestCase(0.02, 1.5)]
+        [Timeout(60000)]
+        public void Trace_Band_IsThatOfFrequenciesByThemselves(double time, double range)
         {
             double[] frequencies = EchoBand.Frequencies(TenGigahertz, 600e6, 70);
-            var pose = BandOf(frequencies, time);
+            var pose = BandOf(frequencies, time, range);
             Tracer.CellError = 0.002;
             var band = Tracer.Trace(pose);
             Tracer.CellsADispatch = 177;
@@ -173,7 +176,7 @@ namespace Glint.Tests
             double largest = band.S.Cast<ScatteringMatrix>().Max(s => Math.Max(s.VV.Magnitude, s.HH.Magnitude));
             for (int i = 0; i < 69; i += 17)
             {
-                var alone = Tracer.Trace(BandOf(new[] { frequencies[i], frequencies[69] }, time));
+                var alone = Tracer.Trace(BandOf(new[] { frequencies[i], frequencies[69] }, time, range));
                 for (int pulse = 0; pulse < 2; pulse++)
                 {
                     var (s, expected) = (band.S[0, pose.SampleOf(pulse, i)], alone.S[0, 2 * pulse]);
@@ -187,12 +190,12 @@ namespace Glint.Tests
         }
 
         // A trihedral that moves, at two times.
-        static CrossSectionPose BandOf(double[] frequencies, double time)
+        static CrossSectionPose BandOf(double[] frequencies, double time, double range)
         {
             var pose = PoseOf(CrossSectionTargets.Trihedral(0.3, CrossSectionTargets.TrihedralFace.Triangular), 35, 20);
             pose.Scene = pose.Scene.MovingBy(new RigidMotion
             { Velocity = new double3(3, 1, -2), AngularVelocity = new double3(0.1, -0.4, 0.2) });
-            (pose.Frequencies, pose.Times, pose.HasEdges) = (frequencies, new[] { 0, time }, true);
+            (pose.Frequencies, pose.Times, pose.HasEdges, pose.Range) = (frequencies, new[] { 0, time }, true, range);
             return pose;
         }
 

@@ -111,6 +111,7 @@ namespace Glint.Tests
                     ["CORNER_ARGUMENTS"] = TubeRounds.CornerArguments,
                     ["CENTRE_ARGUMENTS"] = TubeRounds.CentreArguments,
                     ["OUTLINE_ARGUMENTS"] = TubeRounds.OutlineArguments,
+                    ["NEAR_EXTRAS"] = TubeKernels.NearExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
                 }));

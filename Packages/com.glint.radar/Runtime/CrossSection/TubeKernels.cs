@@ -37,6 +37,9 @@ namespace Glint
         /// <summary>Rows of a side of a triangle on the outline of its patch: SIDE_ROWS.</summary>
         public const int SideRows = 3;
 
+        /// <summary>Rows of a tube in _TubeExtras at a finite range: NEAR_EXTRAS.</summary>
+        public const int NearExtras = 5;
+
         /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
         public const int CoverSide = 8;
 
@@ -170,14 +173,17 @@ namespace Glint
             _shader.SetInts(TubeIDs._Parts, receiver, frequency, firstWord, parts.FirstBounce);
         }
 
+        /// <summary>Rows of a tube in _TubeExtras (Shaders/TubeBindings.hlsl).</summary>
+        public static int ExtrasOf(CrossSectionPose pose) => !pose.IsFar ? NearExtras : pose.IsMoving ? 1 : 0;
+
         /// <inheritdoc cref="TubeRounds.SetLists"/>
         /// <param name="tubeParts">The part of each tube; one element if they are not asked for.</param>
-        /// <param name="tubeRates">The rate of each tube; one element if nothing moves.</param>
-        public void SetLists(TubeLists lists, DeviceBuffer<uint> tubeParts, DeviceBuffer<float4> tubeRates)
+        /// <param name="tubeExtras"><see cref="ExtrasOf"/> rows of each tube; at least one element.</param>
+        public void SetLists(TubeLists lists, DeviceBuffer<uint> tubeParts, DeviceBuffer<float4> tubeExtras)
         {
             _rounds.SetLists(lists);
             foreach (int kernel in _rounds.Kernels.Concat(new[] { _rounds.Summing, _fringes, _points, _parts, _bands }))
-                _shader.SetBuffer(kernel, TubeIDs._TubeRates, tubeRates.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._TubeExtras, tubeExtras.Buffer);
             foreach (int kernel in new[] { _fringes, _points, _parts, _bands })
             {
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, lists.Output.Buffer);

@@ -32,7 +32,7 @@ namespace Glint
         readonly TubeKernels _kernels;
         readonly TubeLists _lists = new TubeLists();
         readonly DeviceBuffer<uint> _tubeParts = new DeviceBuffer<uint>("parts of tubes");
-        readonly DeviceBuffer<float4> _tubeRates = new DeviceBuffer<float4>("rates of tubes");
+        readonly DeviceBuffer<float4> _tubeExtras = new DeviceBuffer<float4>("rates and changes of tubes");
         readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
         readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of patches");
         readonly DispatchPacer _pacer = new DispatchPacer();
@@ -111,8 +111,8 @@ namespace Glint
                 TubeLists.WaveNumber(pose.PhaseFrequencyOf(sample), pose.TimeOf(sample))));
             _lists.ReserveRays(Corners, CornerCapacity(pose));
             _tubeParts.Reserve(tubeParts());
-            _tubeRates.Reserve(pose.IsMoving ? Capacity : 1);
-            _kernels.SetLists(_lists, _tubeParts, _tubeRates);
+            _tubeExtras.Reserve(Math.Max(1, (long)TubeKernels.ExtrasOf(pose) * Capacity));
+            _kernels.SetLists(_lists, _tubeParts, _tubeExtras);
             int words = jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
             int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces);
             _marks.Reserve((long)jobs.Length * words);
@@ -223,7 +223,7 @@ namespace Glint
             _kernels.Dispose();
             _lists.Dispose();
             _tubeParts.Dispose();
-            _tubeRates.Dispose();
+            _tubeExtras.Dispose();
             _marks.Dispose();
             _links.Dispose();
         }
