@@ -42,16 +42,22 @@ namespace Glint.Reference
                 if (triangle < 0)
                     break;
                 caustics += ray.CausticsWithin(distance);
-                ray.Advance(distance);
-                var normal = _surface.At(triangle, ray.Position, ray.Direction);
+                double3 onFacet = ray.Position + distance * ray.Direction;
+                double lead = _surface.LeadOf(triangle, onFacet, ray.Direction);
+                var normal = _surface.At(triangle, onFacet - lead * ray.Direction, ray.Direction);
+                lead = normal.IsCurved ? lead : 0;
+                ray.Advance(distance - lead);
                 if (-math.dot(ray.Direction, normal.Normal) < EdgeOn)
                     break;
-                var hit = Hit(ray, triangle, normal, bounce);
+                var hit = Hit(ray, triangle, normal, bounce, onFacet);
                 hit.Caustics = caustics;
                 if (bounce == 1)
                     path.Hits = new List<TubeHit>();
                 path.Hits.Add(hit);
                 Mirror(ref ray, normal);
+                // The ray that is followed leaves the facet, with the phase of the one that leaves the surface.
+                ray.Position = onFacet;
+                ray.Length += lead * math.dot(hit.Direction, ray.Direction);
                 // The mirrored ray would go through its own facet.
                 if (!(math.dot(ray.Direction, normal.Facet) > 0))
                     break;
@@ -59,7 +65,7 @@ namespace Glint.Reference
             return path;
         }
 
-        TubeHit Hit(in TubeRay ray, int triangle, in SurfaceNormal normal, int bounce)
+        TubeHit Hit(in TubeRay ray, int triangle, in SurfaceNormal normal, int bounce, double3 onFacet)
         {
             double along = math.dot(ray.Direction, normal.Normal);
             var hit = new TubeHit
@@ -78,7 +84,7 @@ namespace Glint.Reference
                 hit.Curvature = math.dot(normal.Along(step), tangent);
             }
             for (int i = 0; i < _receivers.Length; i++)
-                hit.Radiates[i] = Radiates(_receivers[i], ray.Position, normal.Facet, bounce);
+                hit.Radiates[i] = Radiates(_receivers[i], onFacet, normal.Facet, bounce);
             return hit;
         }
 
@@ -94,11 +100,10 @@ namespace Glint.Reference
         static void Mirror(ref TubeRay ray, in SurfaceNormal normal)
         {
             double3 n = normal.Normal, d = ray.Direction;
-            double along = math.dot(d, n), alongFacet = math.dot(d, normal.Facet);
-            double3 changeU = normal.Along(ray.Pu - math.dot(ray.Pu, normal.Facet) / alongFacet * d),
-                changeV = normal.Along(ray.Pv - math.dot(ray.Pv, normal.Facet) / alongFacet * d);
+            double along = math.dot(d, n);
             ray.Pu -= math.dot(ray.Pu, n) / along * d;
             ray.Pv -= math.dot(ray.Pv, n) / along * d;
+            double3 changeU = normal.Along(ray.Pu), changeV = normal.Along(ray.Pv);
             ray.Du -= 2 * (along * changeU + (math.dot(ray.Du, n) + math.dot(d, changeU)) * n);
             ray.Dv -= 2 * (along * changeV + (math.dot(ray.Dv, n) + math.dot(d, changeV)) * n);
             ray.Direction = math.normalize(d - 2 * along * n);

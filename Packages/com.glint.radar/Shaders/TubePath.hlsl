@@ -1,7 +1,7 @@
 #ifndef GLINT_TUBE_PATH
 #define GLINT_TUBE_PATH
 
-#include "TubeBindings.hlsl"
+#include "CurvedFacet.hlsl"
 #include "Path.hlsl"
 #include "Identity.hlsl"
 
@@ -10,7 +10,7 @@
 struct TubePath
 {
     Path Path;
-    float3 PlaceU, PlaceV;          // m a base cell, in the plane of the facet of the last hit
+    float3 PlaceU, PlaceV;          // m a base cell, on the surface of the last hit; after it, in the plane of its facet
     float2 LengthSlope;             // of the path up to it by u, v, m a base cell
     float3 DirectionU, DirectionV;  // a base cell
     float3 V, H;                    // the polarisations sent, mirrored with the ray
@@ -31,6 +31,9 @@ struct SurfacePoint
     float3 NormalU;        // its derivatives
     float3 NormalV;
     float3 FacetNormal;    // towards the ray
+    bool IsCurved;         // it is on the curved surface that the facet stands for
+    uint NormalField;      // of the facet: row in _NormalFields, or FLAT
+    float Lead;            // of a curved surface before the facet, m
     float CurvatureAlong;  // of the surface along the ray, 1/m; above 0: convex
     float Cosine;          // of the incidence angle on the patch; 0 where the patch looks away
     uint Patch;
@@ -124,8 +127,8 @@ uint CausticsWithin(TubePath tube, float distance)
     return (first > 0.0 && first < distance ? 1 : 0) + (second > 0.0 && second < distance ? 1 : 0);
 }
 
-// The normal at a hit: that of the facet, or of its patch.
-SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, float3 placeV)
+// What a ray meets: a facet.
+SurfacePoint PointOf(TubePath tube, Hit hit)
 {
     SurfacePoint at = (SurfacePoint)0;
     Identity identity = Identify(hit);
@@ -137,52 +140,63 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
     at.Triangle = NumberOf(hit.Instance, hit.Row, hit.Second);
     at.Part = first.z + identity.Triangle;
     at.IsSea = first.w != 0;
-    at.FacetNormal = facetNormal;
-    at.Normal = facetNormal;
-    at.Cosine = -dot(facetNormal, tube.Path.Ray.Direction);
+    at.FacetNormal = hit.Normal;
+    at.Normal = hit.Normal;
+    at.Cosine = -dot(hit.Normal, tube.Path.Ray.Direction);
     at.NextStart = hit.NextStart;
-    if (facet.y == FLAT)
-        return at;
-    float4 x = _NormalFields[facet.y], y = _NormalFields[facet.y + 1], z = _NormalFields[facet.y + 2];
-    InstanceRecord record = LoadInstance(hit.Instance);
-    Pair pair = LoadPair(record.Page, record.FirstRow + hit.Row);
-    float3 middle = (pair.Corner0 + pair.Corner2 + (hit.Second ? pair.Corner3 : pair.Corner1)) / 3.0;
-    float3 from = PointToLocal(record, tube.Path.Ray.Origin) - middle;
-    float3 mean = NormalFromLocal(record, float3(dot(x.xyz, from) + x.w, dot(y.xyz, from) + y.w,
-        dot(z.xyz, from) + z.w));
-    // Normals of a sharp ridge may cancel each other.
-    float size = max(length(mean), 1.0e-6) * (dot(mean, facetNormal) < 0.0 ? -1.0 : 1.0);
-    float3 normal = mean / size, d = tube.Path.Ray.Direction;
-    bool looksAway = dot(normal, d) >= 0.0;
-    // Derivatives along the facet, on which the hit lies.
-    float3 along = d - normal * dot(normal, d);
-    float alongSize = length(along);
-    float3x3 directions = float3x3(placeU, placeV, alongSize > 1.0e-6 ? along / alongSize : (float3)0);
-    float toFacet = min(dot(d, facetNormal), -MIN_COSINE);
-    float3 derivatives[3];
-    [unroll]
-    for (uint i = 0; i < 3; i++)
-    {
-        float3 step = directions[i] - d * dot(directions[i], facetNormal) / toFacet;
-        float3 local = VectorToLocal(record, i < 2 ? step : directions[i]);
-        float3 change = NormalFromLocal(record, float3(dot(x.xyz, local), dot(y.xyz, local), dot(z.xyz, local))) / size;
-        derivatives[i] = change - normal * dot(normal, change);
-    }
-    at.Cosine = max(0.0, -dot(normal, d));
-    if (!looksAway)
-    {
-        at.Normal = normal;
-        at.NormalU = derivatives[0];
-        at.NormalV = derivatives[1];
-    }
-    at.CurvatureAlong = dot(derivatives[2], directions[2]);
+    at.NormalField = facet.y;
+    at.IsCurved = facet.y != FLAT;
     return at;
 }
 
-// Of the incidence angle on the facet itself.
-float FacetCosine(SurfacePoint at, float3 direction)
+// Of the incidence angle on a plane.
+float CosineOn(float3 normal, float3 direction)
 {
-    return max(-dot(direction, at.FacetNormal), MIN_COSINE);
+    return max(-dot(direction, normal), MIN_COSINE);
+}
+
+// Moves the differentials along the tube, to where rays beside it meet a plane through its place.
+void SpreadTo(inout TubePath tube, float distance, float3 normal)
+{
+    float3 d = tube.Path.Ray.Direction;
+    float3 placeU = tube.PlaceU + distance * tube.DirectionU, placeV = tube.PlaceV + distance * tube.DirectionV;
+    float2 way = float2(dot(placeU, normal), dot(placeV, normal)) / CosineOn(normal, d);
+    tube.PlaceU = placeU + way.x * d;
+    tube.PlaceV = placeV + way.y * d;
+    tube.LengthSlope += way;
+}
+
+// Moves a tube from the last hit to this one, on the surface that the facet stands for.
+void MoveToSurface(inout TubePath tube, inout SurfacePoint at, Hit hit)
+{
+    MoveTo(tube.Path, hit);
+    if (!at.IsCurved)
+    {
+        SpreadTo(tube, hit.Distance, at.FacetNormal);
+        return;
+    }
+    float3 d = tube.Path.Ray.Direction;
+    InstanceRecord record = LoadInstance(hit.Instance);
+    CurvedFacet facet = LoadCurvedFacet(record, hit, at.NormalField);
+    CurvedHit curved = MeetCurved(facet, record, tube.Path.Ray.Origin, d, at.FacetNormal);
+    at.Cosine = max(0.0, -dot(curved.Normal, d));
+    float3 along = d - curved.Normal * dot(curved.Normal, d);
+    along /= max(length(along), 1.0e-6);
+    at.CurvatureAlong = dot(ChangeAlong(facet, record, curved, along, at.FacetNormal), along);
+    // A mean normal that looks away from the ray is of no use.
+    at.IsCurved = at.Cosine > 0.0;
+    if (!at.IsCurved)
+    {
+        SpreadTo(tube, hit.Distance, at.FacetNormal);
+        return;
+    }
+    at.Lead = curved.Lead;
+    at.Normal = curved.Normal;
+    tube.Path.Ray.Origin -= at.Lead * d;
+    tube.Path.RelativeLength -= at.Lead;
+    SpreadTo(tube, hit.Distance - at.Lead, curved.Tangent);
+    at.NormalU = ChangeAlong(facet, record, curved, tube.PlaceU, at.FacetNormal);
+    at.NormalV = ChangeAlong(facet, record, curved, tube.PlaceV, at.FacetNormal);
 }
 
 // Traces a tube to its next hit; false if there is none.
@@ -205,15 +219,10 @@ bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
         tube.FieldV = -tube.FieldV;
         tube.FieldH = -tube.FieldH;
     }
-    MoveTo(tube.Path, hit);
+    at = PointOf(tube, hit);
+    MoveToSurface(tube, at, hit);
     float3 d = tube.Path.Ray.Direction;
-    float3 placeU = tube.PlaceU + hit.Distance * tube.DirectionU, placeV = tube.PlaceV + hit.Distance * tube.DirectionV;
-    at = PointOf(tube, hit, hit.Normal, placeU, placeV);
     float cosine = -dot(d, at.Normal);
-    float2 way = float2(dot(placeU, at.FacetNormal), dot(placeV, at.FacetNormal)) / FacetCosine(at, d);
-    tube.PlaceU = placeU + way.x * d;
-    tube.PlaceV = placeV + way.y * d;
-    tube.LengthSlope += way;
     float section = abs(Section(tube.PlaceU, tube.PlaceV, d));
     float squareU = dot(tube.PlaceU, tube.PlaceU), squareV = dot(tube.PlaceV, tube.PlaceV);
     float maxSection = MAX_SPREAD * abs(tube.StartSection);
@@ -271,6 +280,18 @@ float3 RateOf(uint instance, float3 position, float3 placeU, float3 placeV, floa
         dot(cross(turning, placeV), turn) + dot(velocity, turnV), dot(velocity, turn));
 }
 
+// Continues a tube, reflected by a curved surface, from its facet: with the phase of the ray that leaves the surface.
+void LeaveFacet(inout TubePath tube, SurfacePoint at, float3 next, float3 directionU, float3 directionV)
+{
+    float3 d = tube.Path.Ray.Direction;
+    float2 turn = float2(dot(tube.DirectionU, next) + dot(d, directionU), dot(tube.DirectionV, next) + dot(d, directionV)),
+        before = tube.LengthSlope;
+    SpreadTo(tube, at.Lead, at.FacetNormal);
+    tube.LengthSlope = before + (tube.LengthSlope - before) * dot(d, next) + at.Lead * turn;
+    tube.Path.Ray.Origin += at.Lead * d;
+    tube.Path.RelativeLength += at.Lead * dot(d, next);
+}
+
 // Reflects a tube; false if it would dive into its facet.
 bool ScatterTube(inout TubePath tube, SurfacePoint at)
 {
@@ -281,7 +302,7 @@ bool ScatterTube(inout TubePath tube, SurfacePoint at)
     if (at.IsLost || leaving <= 0.0)
         return false;
     // The section of the rays jumps, since they are reflected by another normal than that of their facet; the power does not.
-    tube.StartSection *= leaving / FacetCosine(at, d);
+    tube.StartSection *= leaving / CosineOn(at.FacetNormal, d);
     float3 s = AcrossIncidence(d, n, tube.V);
     float4 reflection = ReflectionOf(at.Surface, -along);
     float2 components = float2(dot(s, tube.V), dot(s, tube.H));
@@ -296,6 +317,8 @@ bool ScatterTube(inout TubePath tube, SurfacePoint at)
     if (_IsMoving != 0)
         tube.Rate += RateOf(at.Instance, tube.Path.Ray.Origin, tube.PlaceU, tube.PlaceV, next - d,
             directionU - tube.DirectionU, directionV - tube.DirectionV);
+    if (at.IsCurved)
+        LeaveFacet(tube, at, next, directionU, directionV);
     tube.DirectionU = directionU;
     tube.DirectionV = directionV;
     Leave(tube.Path, next);

@@ -20,7 +20,8 @@ sealed class PointBench
 
     // Tolerances of tubes and points along a side that are tried, until the measured error is within the tolerance.
     static readonly double[] s_tolerances = [PointResult.ToleranceDb, 0.07, 0.05, 0.035];
-    static readonly int[] s_across = [2, 3, 4, 5, 6, 8, PointResult.UsualAcross, 13, 16, 20, 25, 32, 40, 50, 64];
+    static readonly int[] s_across =
+        [2, 3, 4, 5, 6, 8, PointResult.UsualAcross, 13, 16, 20, 25, 32, 40, 50, 64, 80, 100, 128, 160, 200, 256];
 
     // Grids are turned by up to this: rows along edges that are level or upright would be worse than usual ones.
     const double MaxTurnDegrees = 15;

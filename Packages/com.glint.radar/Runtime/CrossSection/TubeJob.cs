@@ -95,6 +95,19 @@ namespace Glint
             Next += count;
         }
 
+        /// <summary>
+        /// Ends the pose with the result of the attempt before, which did not meet the tolerance; false if there is none.
+        /// </summary>
+        public bool GiveUp()
+        {
+            if (Result == null)
+                return false;
+            Result.Rays += Sums.Rays;
+            Next = Grid.Count;
+            IsDone = true;
+            return true;
+        }
+
         /// <summary>Ends the attempt.</summary>
         public CrossSectionResult End()
         {

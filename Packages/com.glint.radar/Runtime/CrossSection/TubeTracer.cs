@@ -128,9 +128,9 @@ namespace Glint
 
         /// <summary>
         /// Traces the next cells of all poses and hands the output over. If a list becomes full, nothing is handed over, and
-        /// the next slice is smaller.
+        /// the next slice is smaller. A pose of which a single cell fills a list keeps the result of the attempt before.
         /// </summary>
-        /// <exception cref="GlintException">A single cell has too many parts.</exception>
+        /// <exception cref="GlintException">A single cell of a first attempt has too many parts.</exception>
         public void TraceSlice(TubeJob[] jobs, Action<uint[]> add)
         {
             GrowLists();
@@ -149,7 +149,7 @@ namespace Glint
             if (TubeSums.HasOverflown(_read))
             {
                 _maxRays = (_maxRays - raysLeft) / 2;
-                if (count == 1)
+                if (count == 1 && !jobs[Array.FindIndex(slices, slice => slice.Count > 0)].GiveUp())
                     throw new GlintException($"{_owner}: one cell of the grid has too many parts at this tolerance: "
                         + "ask for a larger one");
                 return;
