@@ -55,6 +55,33 @@ namespace Glint.Tests
             }
         }
 
+        // The component of E along the edge t returns, that across it returns negative. t is turned by 22.5 degrees from V
+        // towards -H: VV = cos 45, HH = -cos 45, VH = HV = -sin 45, times that of the double bounce.
+        [Test, Timeout(60000)]
+        public void Trace_DihedralTurnedAboutTheSight_HasItsSigns()
+        {
+            var pose = PoseOf(CrossSectionTargets.DihedralAboutSight(0.3, 0.2, 22.5), 0, 0);
+            (pose.MaxBounces, pose.OnlyBounce) = (2, 2);
+            var s = Trace(pose);
+            Assert.That(s.VV.Magnitude, Is.EqualTo(Math.Pow(10, 17.0187 / 20)).Within(AllowedOf(pose, s.VV)));
+            foreach (var other in new[] { s.HH, s.VH, s.HV })
+                Assert.That((other + s.VV).Magnitude, Is.LessThan(AllowedOf(pose, s.VV)));
+        }
+
+        // S = -j k / sqrt(4 pi) 2 A, down to a thousandth of a wavelength: sums have units of a cell, not of a wavelength.
+        [TestCase(1e6)]
+        [TestCase(1e7)]
+        [TestCase(1e8)]
+        [Timeout(60000)]
+        public void Trace_PlateBelowAWavelength_HasItsClosedForm(double frequency)
+        {
+            var pose = PoseOf(CrossSectionTargets.Plate(0.3, 0.2), 0, 0);
+            (pose.Frequencies, pose.FloorDbsm) = (new[] { frequency }, -120);
+            double expected = 2 * Math.PI / Signal.Wavelength(frequency) / Math.Sqrt(Math.PI) * 0.3 * 0.2;
+            foreach (var s in new[] { Trace(pose).VV, Trace(pose).HH })
+                Assert.That(s.Magnitude, Is.EqualTo(expected).Within(CrossSectionAccuracy.AllowedBy(pose.ToleranceDb) * expected));
+        }
+
         [Test, Timeout(60000)]
         public void Trace_MovedTarget_TurnsThePhaseOnly([Values(0.013, -1.7)] double along)
         {

@@ -111,7 +111,7 @@ namespace Glint.Editor
             if (setup.Quality.IsOpen)
                 progress.Print($"note: the mesh has {setup.Quality.OpenEdgeCount} open edges: open surfaces are thin "
                     + "conductors, lit from both sides");
-            if (setup.CoarseMeshWarning(name) is string warning)
+            foreach (string warning in setup.Warnings(name))
                 Debug.LogWarning(warning);
         }
 

@@ -283,8 +283,8 @@ namespace Glint
                 folder.Dispose();
                 throw;
             }
-            if (setup.CoarseMeshWarning(Subject) is string coarse)
-                Debug.LogWarning(coarse, this);
+            foreach (string warning in setup.Warnings(Subject))
+                Debug.LogWarning(warning, this);
             (RowCount, ResultsPath) = (setup.Plan.Count, folder.FolderPath);
             _rowsOfDirection = setup.Plan.Count / setup.Plan.Poses;
             _progress.Start(SceneName, RowCount);

@@ -21,6 +21,9 @@ namespace Glint
         // And at most over a band: range profiles are then within 60 dB below an echo for each of its bounces.
         const double MaxBandError = 1e-3;
 
+        // Size of a target below which the method says little.
+        const double MinWavelengths = 2;
+
         readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
         readonly Lazy<RadarScene> _onEarth;
@@ -134,13 +137,21 @@ namespace Glint
             return ahead;
         }
 
-        /// <summary>Warning of facets that are too coarse at the highest frequency; null if none are.</summary>
+        /// <summary>
+        /// Warnings of facets that are too coarse at the highest frequency, and of a target too small for the method at
+        /// the lowest one.
+        /// </summary>
         /// <param name="subject">Name of what is computed.</param>
-        public string CoarseMeshWarning(string subject)
+        public IEnumerable<string> Warnings(string subject)
         {
             double highest = Plan.Frequencies.Last(), share = Quality.Share(Signal.Wavelength(highest));
-            return share == 0 ? null : FormattableString.Invariant(
+            if (share > 0)
+                yield return FormattableString.Invariant(
                 $"{subject}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {highest:g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency");
+            double lowest = Plan.Frequencies.First(), wavelengths = 2 * Radius / Signal.Wavelength(lowest);
+            if (wavelengths < MinWavelengths)
+                yield return FormattableString.Invariant(
+                    $"{subject}: the target is {wavelengths:g2} wavelengths large at {lowest:g4} Hz: physical optics and fringe fields are wrong by decibels there, and by any factor far below a wavelength: use a higher frequency, or a full-wave program");
         }
 
         /// <summary>Hash of a scene's meshes, places and materials, as in results.json.</summary>

@@ -33,7 +33,7 @@ namespace Glint
             (_pose, _grid) = (pose, grid);
             double wavelength = Signal.Wavelength(pose.Frequencies.Last());
             WaveNumber = 2 * Math.PI / wavelength;
-            double tube = 2 * Math.Sqrt(Math.PI) * wavelength;
+            double side = Math.Min(wavelength, grid.Side), tube = 2 * Math.Sqrt(Math.PI) * side * side / wavelength;
             UnitsPerMetre = Math.Pow(2, 24) / tube;
             UnitsPerSquareMetre = Math.Pow(2, 40) / (tube * tube);
             _sums = new long[SlotsOf(pose) * pose.Samples * SumCount];
@@ -72,7 +72,7 @@ namespace Glint
         /// <summary>Of the highest frequency, radians per metre.</summary>
         public double WaveNumber { get; }
 
-        /// <summary>Units of S: 2^-24 of a tube of a square wavelength.</summary>
+        /// <summary>Units of S: 2^-24 of a tube of a square wavelength, or of a smaller base cell.</summary>
         public double UnitsPerMetre { get; }
 
         /// <summary>Units of squared errors.</summary>

@@ -7,6 +7,7 @@ using System.Linq;
 using System.Numerics;
 using System.Text.RegularExpressions;
 using System.Threading;
+using System.Xml.Linq;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Tests;
@@ -363,6 +364,14 @@ public sealed class CrossSectionCommandTests
     }
 
     [Test]
+    public void SmallTarget_IsWarnedOf()
+    {
+        var (code, _, error) = Execute(At("plate.obj"), "--frequency", "1e9", "--tolerance", "1", "--out", At("rcs"));
+        Assert.That(code, Is.Zero, error);
+        Assert.That(error, Does.Contain("the target is 1.2 wavelengths large at 1e+09 Hz").And.Contain("higher frequency"));
+    }
+
+    [Test]
     public void Help_NamesUnitsAndTheErrorsMeaning()
     {
         var (code, output, _) = TestShell.Run("rcs", "--help");
@@ -387,6 +396,11 @@ public sealed class CrossSectionCommandTests
             + @"mean: \d+\.\d\d dBsm over 3 angles\r?\n$"));
         double mean = Rows("rcs").Average(row => Math.Pow(10, Number(row, "vv_dbsm") / 10));
         Assert.That(output, Does.Contain(FormattableString.Invariant($"mean: {10 * Math.Log10(mean):0.00} dBsm")));
+        double top = Rows("rcs").Max(row => Number(row, "vv_dbsm"));
+        string points = XDocument.Load(At("rcs.svg")).Root.Elements().Single().Attribute("points").Value;
+        Assert.That(points.Split(' ', ',').Select(text => double.Parse(text, CultureInfo.InvariantCulture)),
+            Is.EqualTo(Rows("rcs").SelectMany(row => new[] { Number(row, "azimuth_deg"), top - Number(row, "vv_dbsm") }))
+                .Within(0.01), "plot");
     }
 
     void AssertSame(string folder, string message = null)
