@@ -193,6 +193,10 @@ uint AddTube(Tube tube, uint part, float3 rate)
     uint at;
     InterlockedAdd(_Sums[TUBE_COUNT], 1, at);
     InterlockedAdd(_Sums[CountWord(POSE_TUBES)], 1);
+    // Most tubes need no exchange.
+    uint bounces = tube.Tag >> 8 & 0xff, mostBounces = CountWord(POSE_BOUNCES);
+    if (_Sums[mostBounces] < bounces)
+        InterlockedMax(_Sums[mostBounces], bounces);
     if (at >= _ListCapacity.x)
         return NO_TUBE;
     _Tubes[at] = tube;

@@ -55,6 +55,16 @@ namespace Glint.Tests
             }
         }
 
+        [Test, Timeout(60000)]
+        public void Trace_Bounces_AreTheMostOfATube()
+        {
+            int BouncesOf(TriangleMesh mesh) => Tracer.Trace(PoseOf(mesh, 35, 30)).Bounces;
+            Assert.That(BouncesOf(CrossSectionTargets.Plate(0.3, 0.2)), Is.EqualTo(1));
+            Assert.That(BouncesOf(CrossSectionTargets.Dihedral(0.3, 0.2)), Is.EqualTo(2));
+            Assert.That(BouncesOf(CrossSectionTargets.Trihedral(0.2, CrossSectionTargets.TrihedralFace.Square)),
+                Is.EqualTo(3));
+        }
+
         // The component of E along the edge t returns, that across it returns negative. t is turned by 22.5 degrees from V
         // towards -H: VV = cos 45, HH = -cos 45, VH = HV = -sin 45, times that of the double bounce.
         [Test, Timeout(60000)]

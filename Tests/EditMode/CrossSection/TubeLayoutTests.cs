@@ -92,6 +92,7 @@ namespace Glint.Tests
                     ["MAX_POSES"] = TubeKernels.MaxPoses, ["POSE_COUNTS"] = TubeSums.FirstPose,
                     ["POSE_COUNT_WORDS"] = TubeSums.PoseWords, ["POSE_PARTS"] = TubeSums.PoseParts, ["POSE_TUBES"] = TubeSums.PoseTubes,
                     ["POSE_RAYS"] = TubeSums.PoseRays, ["POSE_BORDER_RAYS"] = TubeSums.PoseBorderRays,
+                    ["POSE_BOUNCES"] = TubeSums.PoseBounces,
                     ["TUBE_SUMS"] = TubeKernels.FirstSum, ["RECEIVER_ROWS"] = 3,
                     ["TUBE_SUM_WORDS"] = TubeKernels.SumWords,
                     // Sums have two words.

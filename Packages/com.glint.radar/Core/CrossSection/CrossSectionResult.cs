@@ -47,6 +47,9 @@ namespace Glint.Core
         /// <summary>Pieces of tubes summed: one for each bounce and receiver.</summary>
         public long Tubes { get; set; }
 
+        /// <summary>Most bounces of a tube; 0 if only edges return.</summary>
+        public int Bounces { get; set; }
+
         /// <summary>Edges without fringe fields because a face is no perfect conductor; 0 without edges.</summary>
         public int WedgesLeftOut { get; set; }
 

@@ -48,6 +48,9 @@ namespace Glint.Core
         /// <inheritdoc cref="Tubes"/>
         public long Rays { get; set; }
 
+        /// <inheritdoc cref="CrossSectionResult.Bounces"/>
+        public int Bounces { get; set; }
+
         /// <summary>Contributions of the scene's parts; null if they were not asked for.</summary>
         public CrossSectionContributions Contributions { get; set; }
 

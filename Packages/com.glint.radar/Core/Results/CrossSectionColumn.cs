@@ -47,6 +47,10 @@ namespace Glint.Core
         /// <summary>Time of a pulse after the first; only with pulses.</summary>
         public static readonly ResultColumn Time = Optional(Of("time_s", "Time", "s", row => row.Planned.Time));
 
+        // Rows of older files do not have it.
+        static readonly ResultColumn Bounces =
+            ResultColumn.MissingAllowed(Of("bounces", "Bounces at most", "1", row => row.Bounces));
+
         static readonly (ResultColumn re, ResultColumn im)[] s_amplitudes =
             Polarisation.All.Select(polarisation => (Of(polarisation, "re", "real part", amplitude => amplitude.Real),
                 Of(polarisation, "im", "imaginary part", amplitude => amplitude.Imaginary))).ToArray();
@@ -60,8 +64,12 @@ namespace Glint.Core
                 {
                     ErrorDb, Error, ToleranceMet, OutsidePhysicalOptics,
                     Of("coarse_area_share", "Share of the area with coarse facets", "1", row => row.CoarseShare),
-                    Of("tubes", "Tubes", "1", row => row.Tubes), Of("rays", "Rays", "1", row => row.Rays), Time
+                    Of("tubes", "Tubes", "1", row => row.Tubes), Of("rays", "Rays", "1", row => row.Rays), Time,
+                    Bounces
                 }).ToArray());
+
+        /// <summary>Those of responses over a band, whose arrays have a place for each: without bounces.</summary>
+        public static IReadOnlyList<ResultColumn> OfEchoes { get; } = All.Take(All.Count - 1).ToArray();
 
         /// <summary>The amplitude of a polarisation in a row, metres; null if it was not asked for.</summary>
         public static Complex? Amplitude(StoredRow row, Polarisation polarisation)

@@ -42,13 +42,13 @@ namespace Glint.Core
             }.Concat(ImageFiles.All).ToArray();
 
         /// <summary>Responses over a band, and the range profiles made of them.</summary>
-        public static readonly ResultTable Echo = new ResultTable("echo", "responses.csv", CrossSectionColumn.All)
+        public static readonly ResultTable Echo = new ResultTable("echo", "responses.csv", CrossSectionColumn.OfEchoes)
         {
             FolderSuffix = "-echo", HasProfiles = true, WholeFiles = s_profiles
         };
 
         /// <summary>Responses over a band in the directions of an image, and the image.</summary>
-        public static readonly ResultTable Image = new ResultTable("isar", "responses.npy", CrossSectionColumn.All)
+        public static readonly ResultTable Image = new ResultTable("isar", "responses.npy", CrossSectionColumn.OfEchoes)
         {
             FolderSuffix = "-isar", HasProfiles = true, WholeFiles = s_profiles, IsArray = true
         };

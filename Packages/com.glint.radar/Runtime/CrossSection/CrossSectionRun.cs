@@ -207,7 +207,7 @@ namespace Glint
                 Error = trace.Errors[receiver, sample], FloorDbsm = _setup.FloorDbsm,
                 ToleranceDb = _setup.ToleranceDb, Radius = _setup.Radius,
                 CoarseShare = _setup.Quality.Share(Signal.Wavelength(planned.Frequency)),
-                Tubes = trace.Tubes, Rays = trace.Rays,
+                Tubes = trace.Tubes, Rays = trace.Rays, Bounces = trace.Bounces,
                 Contributions = _setup.HasContributions
                     ? _tracer.Contributions(pose, trace, receiver, frequency, _setup.Polarisations, progress, cancel)
                     : null

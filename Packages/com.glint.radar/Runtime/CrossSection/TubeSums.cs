@@ -12,7 +12,8 @@ namespace Glint
         public const int Count = 0, Overflow = 1;
 
         /// <summary>Counts of each part of a pose's slice, and words of those of a pose.</summary>
-        public const int FirstPose = 24, PoseWords = 4, PoseParts = 16, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2;
+        public const int FirstPose = 24, PoseWords = 4, PoseParts = 16, PoseTubes = 0, PoseRays = 1, PoseBorderRays = 2,
+            PoseBounces = 3;
 
         /// <summary>Sums of a receiver and sample, two words each, and the word after them.</summary>
         public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
@@ -27,6 +28,7 @@ namespace Glint
         readonly TubeGrid _grid;
         readonly long[] _sums;
         long _tubes;
+        uint _bounces;
 
         public TubeSums(CrossSectionPose pose, TubeGrid grid)
         {
@@ -88,7 +90,10 @@ namespace Glint
         public void Add(uint[] output, int number, int poses, string owner)
         {
             for (int part = 0; part < PoseParts; part++)
+            {
                 _tubes += CountOf(output, number, part, PoseTubes);
+                _bounces = Math.Max(_bounces, CountOf(output, number, part, PoseBounces));
+            }
             Rays += RaysOf(output, number).Sum();
             int count = _sums.Length * CopiesOf(_pose);
             for (int i = 0; i < count; i++)
@@ -132,7 +137,7 @@ namespace Glint
         {
             var result = new CrossSectionResult(_pose.Receivers.Length, _pose.Samples)
             {
-                Tubes = _tubes, Rays = Rays
+                Tubes = _tubes, Rays = Rays, Bounces = (int)_bounces
             };
             int first = 0, receivers = _pose.Receivers.Length;
             for (int slot = 0; slot < SlotsOf(_pose); slot++)
