@@ -188,13 +188,14 @@ void SetSlope(uint tube, uint axis, float4 coPolar, float4 crossPolar)
 // Part: see _TubeParts. Rate: see RateOf. Returns its number, or NO_TUBE.
 uint AddTube(Tube tube, uint part, float3 rate)
 {
-    if ((tube.Tag >> 8 & 0xff) != _OnlyBounce && _OnlyBounce != 0)
+    uint bounces = tube.Tag >> 8 & 0xff;
+    if (bounces != _OnlyBounce && _OnlyBounce != 0)
         return NO_TUBE;
     uint at;
     InterlockedAdd(_Sums[TUBE_COUNT], 1, at);
     InterlockedAdd(_Sums[CountWord(POSE_TUBES)], 1);
     // Most tubes need no exchange.
-    uint bounces = tube.Tag >> 8 & 0xff, mostBounces = CountWord(POSE_BOUNCES);
+    uint mostBounces = CountWord(POSE_BOUNCES);
     if (_Sums[mostBounces] < bounces)
         InterlockedMax(_Sums[mostBounces], bounces);
     if (at >= _ListCapacity.x)

@@ -68,8 +68,8 @@ namespace Glint.Core
                     Bounces
                 }).ToArray());
 
-        /// <summary>Those of responses over a band, whose arrays have a place for each: without bounces.</summary>
-        public static IReadOnlyList<ResultColumn> OfEchoes { get; } = All.Take(All.Count - 1).ToArray();
+        /// <summary>Those of responses over a band, whose arrays have a place for each: all but the bounces.</summary>
+        public static IReadOnlyList<ResultColumn> OfEchoes { get; } = All.Where(column => column != Bounces).ToArray();
 
         /// <summary>The amplitude of a polarisation in a row, metres; null if it was not asked for.</summary>
         public static Complex? Amplitude(StoredRow row, Polarisation polarisation)

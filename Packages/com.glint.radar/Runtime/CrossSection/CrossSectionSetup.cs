@@ -147,7 +147,7 @@ namespace Glint
             double highest = Plan.Frequencies.Last(), share = Quality.Share(Signal.Wavelength(highest));
             if (share > 0)
                 yield return FormattableString.Invariant(
-                $"{subject}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {highest:g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency");
+                    $"{subject}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {highest:g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency");
             double lowest = Plan.Frequencies.First(), wavelengths = 2 * Radius / Signal.Wavelength(lowest);
             if (wavelengths < MinWavelengths)
                 yield return FormattableString.Invariant(
