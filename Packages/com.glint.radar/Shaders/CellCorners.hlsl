@@ -41,7 +41,7 @@ CellCorners LoadCorners(inout Cell cell)
     for (uint i = 0; i < 4; i++)
     {
         uint element = CornerOfCell(cell.Number, uint2(CornerOf(i) > 0.0), _Round) * _MaxBounces;
-        uint bounces = _Corners[element].Bounces;
+        uint bounces = BouncesOf(_Corners[element]);
         corners.Elements[i] = element;
         corners.Bounces[i] = bounces;
         if (bounces > 0)
@@ -56,7 +56,7 @@ CellCorners LoadCorners(inout Cell cell)
     return corners;
 }
 
-// Largest strength of the corners at bounces that are not summed yet, and its product with the error by bent phases.
+// Largest weighted strength of the corners at bounces that are not summed yet, and its product with the error by bent phases.
 float2 StrengthLeft(CellCorners corners, Cell cell)
 {
     float side = SideOfCell(cell);
@@ -64,7 +64,8 @@ float2 StrengthLeft(CellCorners corners, Cell cell)
     for (uint i = 0; i < 4; i++)
         for (uint bounce = cell.FirstBounce; bounce < corners.Bounces[i]; bounce++)
         {
-            float2 strength = _Corners[corners.Elements[i] + bounce].Strength;
+            Corner corner = _Corners[corners.Elements[i] + bounce];
+            float2 strength = WeightOf(corner) * corner.Strength;
             most = max(most, float2(strength.x, min(strength.x, side * side * strength.y)));
         }
     return most;

@@ -175,6 +175,23 @@ float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
     return scale * strength;
 }
 
+// Factor of a strength beside CellError: more than 1 where a part of the currents is cross-polarised, whose error is to be
+// smaller.
+float WeightAt(TubePath tube, SurfacePoint at, uint receivers)
+{
+    float weight = 1.0, crossWeight = _Poses[s_pose].CrossWeight;
+    if (crossWeight <= 1.0 || at.IsLost)
+        return weight;
+    [loop]
+    for (uint index = 0; index < _ReceiverCount; index++)
+        if ((receivers >> index & 1) != 0)
+        {
+            float2 magnitudes = MagnitudesOf(CurrentsAt(tube, at, index, ReceiverFrom(index, tube.Path.Ray.Origin)));
+            weight = max(weight, crossWeight * magnitudes.y / max(max(magnitudes.x, magnitudes.y), 1.0e-30));
+        }
+    return weight;
+}
+
 static const uint NO_TUBE = 0xffffffff;
 
 // Sets what the currents of a tube change along u, 0, or along v, 1: see _TubeExtras.

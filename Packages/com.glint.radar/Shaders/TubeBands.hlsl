@@ -26,7 +26,7 @@ static const float MAX_BAND_UNITS = 1073741824.0;
 // Of a tube of the group: what it radiates over the block, beside its phasor, in units.
 static const uint WAVE_ROWS = 5;
 groupshared float4 s_waves[WAVE_ROWS * GLINT_GROUP];
-groupshared uint2 s_squares[GLINT_GROUP];  // squared error
+groupshared uint4 s_squares[GLINT_GROUP];  // squared errors: of VV and HH, of HV and VH
 groupshared uint s_slots[GLINT_GROUP];     // slot of all poses
 
 static const uint BAND_SLOTS = 256;        // Tube.Tag has eight bits for them
@@ -75,7 +75,8 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
         metres += centre.w * rate.z;
     }
     float2 before = 0.0, atCentre = 0.0, after = 0.0;
-    float error = 0.0, cancelled = 0.0;
+    float2 errors = 0.0;
+    float cancelled = 0.0;
     [loop]
     for (int node = -1; node <= 1; node++)
     {
@@ -89,33 +90,37 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
         else
         {
             atCentre = wave;
-            error = tube.Error * shape.Scale;
+            errors = tube.Error * shape.Scale * MagnitudesOf(tube);
             cancelled = shape.Cancelled;
         }
     }
     // By steps from the middle.
     float width = 1.0 / (BAND_NODE * size.z);
     float2 slope = 0.5 * width * (after - before), curve = width * width * (0.5 * (after + before) - atCentre);
-    float2 vv = ComplexMul(atCentre, tube.CoPolar.xy), hh = ComplexMul(atCentre, tube.CoPolar.zw);
-    float2 bent = tube.Bent
-        * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + float2(_UnitsPerMetre * error * cancelled, 0.0));
-    Sum squares;
-    squares.Lower = 0;
-    squares.Upper = 0;
+    float2 bent = BentS(tube.Bent, ComplexMul(atCentre, tube.CoPolar.xy), ComplexMul(atCentre, tube.CoPolar.zw), errors.x,
+        float2(cancelled, 0.0));
+    float2 crossBent = BentS(tube.Bent, ComplexMul(atCentre, tube.CrossPolar.xy),
+        ComplexMul(atCentre, tube.CrossPolar.zw), errors.y, float2(cancelled, 0.0));
+    Sum squares[2];
+    squares[0] = NoSum();
+    squares[1] = NoSum();
     uint overflow = 0;
-    Accumulate(squares, SquaresOf(error, bent), overflow);
-    s_squares[thread] = uint2(squares.Lower, squares.Upper);
+    Accumulate(squares[0], SquaresOf(errors.x, bent), overflow);
+    Accumulate(squares[1], SquaresOf(errors.y, crossBent), overflow);
+    s_squares[thread] = uint4(squares[0].Lower, squares[0].Upper, squares[1].Lower, squares[1].Upper);
     uint row = WAVE_ROWS * thread;
     s_waves[row] = float4(PartOfTurn(turns), step.y * metres, bent);
     s_waves[row + 1] = float4(atCentre, slope);
-    s_waves[row + 2] = float4(curve, 0.0, 0.0);
+    s_waves[row + 2] = float4(curve, crossBent);
     s_waves[row + 3] = tube.CoPolar;
     s_waves[row + 4] = tube.CrossPolar;
-    float largest = MagnitudeOf(tube)
-        * (length(atCentre) + size.z * length(slope) + size.z * size.z * length(curve)) + length(bent);
+    float2 magnitudes = MagnitudesOf(tube);
+    float magnitude = max(magnitudes.x, magnitudes.y);
+    float largest = magnitude
+        * (length(atCentre) + size.z * length(slope) + size.z * size.z * length(curve)) + length(bent) + length(crossBent);
     float phase = PhaseExtent(tube, centre.x, centre.x * gradient) * size.z * step.x / centre.x;
     bool isEach = overflow != 0 || IsNaN(largest) || largest > MAX_BAND_UNITS || phase > MAX_BAND_PHASE
-        || LargestSlope(index) > MAX_BAND_SLOPE * MagnitudeOf(tube);
+        || LargestSlope(index) > MAX_BAND_SLOPE * magnitude;
     return (tube.Tag & 0xff) | (isEach ? EACH_FREQUENCY : 0);
 }
 
@@ -134,23 +139,30 @@ void AddSmall(inout Sum real, inout Sum imaginary, float2 units)
     AddSmall(imaginary, units.y);
 }
 
+void AddSquares(inout Sum sum, uint2 squares)
+{
+    sum.Lower += squares.x;
+    sum.Upper += squares.y + (sum.Lower < squares.x ? 1 : 0);
+}
+
 // Adds a tube of the group at a frequency, some steps from the middle of the block.
-void AddWave(inout Sum sums[11], uint tube, float steps)
+void AddWave(inout Sum sums[TUBE_SUM_COUNT], uint tube, float steps)
 {
     uint row = WAVE_ROWS * tube;
-    float4 path = s_waves[row], parabola = s_waves[row + 1];
+    float4 path = s_waves[row], parabola = s_waves[row + 1], curve = s_waves[row + 2];
     float turns = path.x + steps * path.y;
     float2 phasor = Phasor(turns - floor(turns));
-    float2 wave = ComplexMul(parabola.xy + steps * (parabola.zw + steps * s_waves[row + 2].xy), phasor);
+    float2 wave = ComplexMul(parabola.xy + steps * (parabola.zw + steps * curve.xy), phasor);
     float4 coPolar = s_waves[row + 3], crossPolar = s_waves[row + 4];
     AddSmall(sums[0], sums[1], ComplexMul(wave, coPolar.xy));
     AddSmall(sums[2], sums[3], ComplexMul(wave, crossPolar.xy));
     AddSmall(sums[4], sums[5], ComplexMul(wave, crossPolar.zw));
     AddSmall(sums[6], sums[7], ComplexMul(wave, coPolar.zw));
     AddSmall(sums[8], sums[9], ComplexMul(phasor, path.zw));
-    uint2 squares = s_squares[tube];
-    sums[10].Lower += squares.x;
-    sums[10].Upper += squares.y + (sums[10].Lower < squares.x ? 1 : 0);
+    AddSmall(sums[11], sums[12], ComplexMul(phasor, curve.zw));
+    uint4 squares = s_squares[tube];
+    AddSquares(sums[10], squares.xy);
+    AddSquares(sums[13], squares.zw);
 }
 
 // Puts the tubes of the group into the order of their slots: tubes of several poses may lie in any order, and each change
@@ -196,7 +208,7 @@ void TubeBands(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint2 tubes = TubesOf(group);
     uint copy = (group.x + group.y * GROUPS_A_ROW) % _SumCopies;
     SortTubes(thread, tubes);
-    Sum sums[11];
+    Sum sums[TUBE_SUM_COUNT];
     Clear(sums);
     uint overflow = 0, held = NO_SLOT;
     [loop]

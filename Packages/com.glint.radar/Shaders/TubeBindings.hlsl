@@ -31,9 +31,11 @@ static const uint POSE_PARTS = 16;         // of a slice, by the order of its ba
 static const uint TUBE_SUMS = 8216;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
-static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
-static const uint SUM_ERROR = 20;          // sum of squared errors, 64 bits
-static const uint SUM_TUBE_OVERFLOW = 22;  // 1: a contribution was too large for a sum
+static const uint SUM_BENT = 16;           // S of the error of bent phases of VV and HH, 64 bits each part
+static const uint SUM_ERROR = 20;          // sum of squared errors of VV and HH, 64 bits
+static const uint SUM_CROSS_BENT = 22;     // the same of HV and VH
+static const uint SUM_CROSS_ERROR = 26;
+static const uint SUM_TUBE_OVERFLOW = 28;  // 1: a contribution was too large for a sum
 static const uint PART_WORDS = 16;         // of a part: see TubeParts; its words are those of SUM_S
 
 static const uint MAX_RECEIVERS = 16;
@@ -68,17 +70,20 @@ struct Tube
                           // length and bend, m
     float4 Corners23;     // of a square its strength, as a fraction of p.C: mean, change by u and v, twist
     float2 Corner4;
-    float Error;          // magnitude of the error of p.C times area, m2
+    float Error;          // area by which the piece may be off, base cells; of an edge its length, m
     float Bent;           // relative error by the bent phase, at the highest frequency
 };
 
-// Largest magnitude of p.C times area a base cell of the four pairs of polarisations, m2.
-float MagnitudeOf(Tube tube)
+// Larger magnitude of two complex numbers.
+float LargerOf(float4 two)
 {
-    float2 co = max(tube.CoPolar.xy * tube.CoPolar.xy, tube.CoPolar.zw * tube.CoPolar.zw);
-    float2 cross = max(tube.CrossPolar.xy * tube.CrossPolar.xy, tube.CrossPolar.zw * tube.CrossPolar.zw);
-    float2 largest = max(co, cross);
-    return sqrt(largest.x + largest.y);
+    return sqrt(max(dot(two.xy, two.xy), dot(two.zw, two.zw)));
+}
+
+// Largest magnitudes of p.C times area a base cell, m2: of VV and HH, of HV and VH.
+float2 MagnitudesOf(Tube tube)
+{
+    return float2(LargerOf(tube.CoPolar), LargerOf(tube.CrossPolar));
 }
 
 // A cell of the grid.
@@ -88,7 +93,7 @@ struct Cell
     uint Level;           // its side is 2^-Level base cells
     uint FirstBounce;     // bounces before it are summed already
     uint4 Signatures;     // of the rays through its corners, in order around it
-    float Strength;       // of what is left to sum: largest p.C, m2 a base cell
+    float Strength;       // of what is left to sum: largest p.C times WeightAt, m2 a base cell
     float Bent;           // and the largest error of a piece by bent phases, as a fraction of its area
     uint2 Crossings;      // of the border with two sides: see BorderOf
     uint Pose;            // of this dispatch
@@ -115,7 +120,9 @@ struct TubePose
 {
     float4 Origin, OriginDx, OriginDy;           // relative to the scene's centre, m
     float4 Direction, DirectionDx, DirectionDy;
-    float4 SentV, SentH;
+    float3 SentV;
+    float CrossWeight;                           // of HV and VH: factor of their strength against CellError, at least 1
+    float4 SentH;
     float4 GridX, GridY, GridDepth;              // base cell of a place: (X.place) / (Depth.place), w constant
     uint4 Slice;                                 // base cells: first and number of this dispatch, a rectangle; its
                                                  // cells across; first of its cells in the dispatch
@@ -125,7 +132,7 @@ struct TubePose
     uint FirstCorner;                            // of its corners in the dispatch
     float OriginDepth;                           // distance from the radar to the grid, m
     float RadarPhase;                            // that the phases of the grid's paths have beside ReceiverFrom, m
-    float CellError;                             // of p.C times area that a cell may have, m2
+    float CellError;                             // of p.C times WeightAt and area that a cell may have, m2
     uint MaxLevel;                               // cells at it are not divided
     uint MaxBisections;                          // of the sides of a base cell towards a border
 };
@@ -279,12 +286,22 @@ uint FirstExtra(uint tube)
 struct Corner
 {
     uint Signature;       // of the path up to it
-    uint Bounces;         // in the first element of a corner: those of its ray
+    uint Bounces;         // in the first element of a corner: those of its ray; upper half: WeightAt as float16
     float2 Strength;      // and its product with BentOf
     float4 Position;      // relative to the scene's centre, m; w: RelativeLength of the path
     float4 AlongU;        // its differentials, m a base cell
     float4 AlongV;
 };
+
+uint BouncesOf(Corner corner)
+{
+    return corner.Bounces & 0xffff;
+}
+
+float WeightOf(Corner corner)
+{
+    return f16tof32(corner.Bounces >> 16);
+}
 
 RWStructuredBuffer<Corner> _Corners;       // _MaxBounces elements a corner
 StructuredBuffer<Corner> _CornersBefore;   // those of the round before

@@ -59,16 +59,19 @@ bool HidesCurrents(TubePath tube, SurfacePoint at, uint receivers, float side)
 {
     float2 slope = PhaseSlope(tube, ReceiverFrom(0, tube.Path.Ray.Origin));
     float error = CRUDE_ERROR * side * side * Thinning(slope, side) * StrengthAt(tube, at, receivers);
-    return error > MAX_HIDDEN_ERROR * CellError();
+    return error * WeightAt(tube, at, receivers) > MAX_HIDDEN_ERROR * CellError();
 }
 
-// Adds the error of a cell whose corners see something, and its centre nothing: what is left out of the sum.
+// Adds the error of a cell whose corners see something, and its centre nothing: what is left out of the sum. A square
+// without strength radiates nothing.
 void AddMissed(Cell cell)
 {
     float side = SideOfCell(cell);
     Tube missed = (Tube)0;
+    missed.CoPolar.x = cell.Strength;
+    missed.CrossPolar.x = cell.Strength / _Poses[s_pose].CrossWeight;
     missed.Corners01.x = side;
-    missed.Error = CRUDE_ERROR * side * side * cell.Strength;
+    missed.Error = CRUDE_ERROR * side * side;
     for (uint number = 0; number < _ReceiverCount; number++)
     {
         missed.Tag = SlotOfAll(number) | (cell.FirstBounce + 1) << 8;
@@ -149,10 +152,9 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         currents.Corners01 = float4(side, 0.0, 0.0, 0.0);
                         currents.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
                     }
-                    float area = isCut && isStraight
+                    currents.Error = isCut && isStraight
                         ? BentAreaError(chord, directions, width, currents.Gradient)
                         : CRUDE_ERROR * AreaOf(piece, side) * Thinning(currents.Gradient, side);
-                    currents.Error = area * MagnitudeOf(currents);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
                     AddTube(currents, at.Part, RateTo(receiver, tube, at));
                     isSummed = true;

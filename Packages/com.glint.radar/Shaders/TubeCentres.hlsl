@@ -32,18 +32,19 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             uint bounce = tube.Path.Bounces - 1, receivers = ReceiversOf(tube, at);
             Sign(tube, receivers);
-            float strength = StrengthAt(tube, at, receivers);
+            float strength = StrengthAt(tube, at, receivers), weight = WeightAt(tube, at, receivers);
             bool goesOn = bounce < common
                 && _Corners[corners.Elements.x + min(bounce, common - 1)].Signature == tube.Signature;
             corners.AreSame = corners.AreSame && goesOn;
             if (goesOn && bounce >= firstBounce)
             {
-                goesOn = AddSquare(corners.Elements + bounce, tube, at, receivers, strength, side, canDivide);
+                goesOn = AddSquare(corners.Elements + bounce, tube, at, receivers, strength, weight, side, canDivide);
                 cell.FirstBounce = goesOn ? bounce + 1 : cell.FirstBounce;
             }
             if (!goesOn)
             {
-                left = strength * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side));
+                left = strength * weight
+                    * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side));
                 break;
             }
             if (!ScatterTube(tube, at))

@@ -69,7 +69,7 @@ CornerPosition PositionOf(uint index)
 // Takes what the ray through a corner has met over from the round before.
 void CopyCorner(uint from, uint to)
 {
-    uint bounces = _CornersBefore[from].Bounces;
+    uint bounces = BouncesOf(_CornersBefore[from]);
     for (uint i = 0; i < max(bounces, 1); i++)
         _Corners[to + i] = _CornersBefore[from + i];
 }
@@ -98,9 +98,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         Sign(tube, receivers);
         Corner corner;
         corner.Signature = tube.Signature;
-        corner.Bounces = 0;
         // Of what is hidden from all receivers a part between the corners may be seen, and as strong.
-        corner.Strength = StrengthAt(tube, at, receivers != 0 ? receivers : ReceiversFaced(tube, at))
+        uint seen = receivers != 0 ? receivers : ReceiversFaced(tube, at);
+        corner.Bounces = f32tof16(WeightAt(tube, at, seen)) << 16;
+        corner.Strength = StrengthAt(tube, at, seen)
             * float2(1.0, BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin)));
         corner.Position = float4(tube.Path.Ray.Origin, tube.Path.RelativeLength);
         corner.AlongU = float4(tube.PlaceU, tube.LengthSlope.x);
@@ -109,6 +110,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if (!ScatterTube(tube, at))
             break;
     }
+    if (bounces > 0)
+        bounces |= _Corners[first].Bounces;
     _Corners[first].Bounces = bounces;
     if (position.IsCounted)
         AddTo(CountWord(POSE_RAYS), 1);

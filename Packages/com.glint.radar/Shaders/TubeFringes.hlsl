@@ -220,7 +220,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     fringe.Corners01.x = part.y - part.x;
     // Standard deviation of a border that is anywhere within its interval.
     bool isWhole = part.y - part.x == piece.Length;
-    fringe.Error = isWhole ? 0.0 : 0.289 * piece.Length / (1u << EDGE_BISECTIONS) * MagnitudeOf(fringe);
+    fringe.Error = isWhole ? 0.0 : 0.289 * piece.Length / (1u << EDGE_BISECTIONS);
     AddFringe(fringe, piece, part, index);
 }
 

@@ -89,7 +89,7 @@ TubePath BeginTube(float2 position)
     tube.LengthSlope = pose.OriginDepth * float2(dot(d, pose.DirectionDx.xyz), dot(d, pose.DirectionDy.xyz));
     tube.DirectionU = (pose.DirectionDx.xyz - d * dot(d, pose.DirectionDx.xyz)) / size;
     tube.DirectionV = (pose.DirectionDy.xyz - d * dot(d, pose.DirectionDy.xyz)) / size;
-    tube.V = pose.SentV.xyz;
+    tube.V = pose.SentV;
     tube.H = pose.SentH.xyz;
     TurnAcross(d, tube.V, tube.H);
     tube.FieldV = float4(1.0, 0.0, 0.0, 0.0);

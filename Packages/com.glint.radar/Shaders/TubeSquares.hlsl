@@ -37,6 +37,7 @@ struct Bounce
     // Place and length, m: mean of the corners; halves of their differences along u and v; twist.
     float4 Mean, SlopeU, SlopeV, Twist;
     float4 Strength;       // mean of the corners, halves of the differences along u and v, twist
+    float Weight;          // largest of the corners
 };
 
 // Place and length at which a ray has met something; at a finite range, where the direction of a receiver differs from
@@ -68,6 +69,7 @@ void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre, uint recei
     bounce.SlopeV += sides.y * position;
     bounce.Twist += sides.x * sides.y * position;
     bounce.Strength += 0.25 * corner.Strength.x * float4(1.0, sides, sides.x * sides.y);
+    bounce.Weight = max(bounce.Weight, WeightOf(corner));
 }
 
 // What the rays through the corners have met at a bounce, if it is the same. corners: their elements at it. At a finite
@@ -138,8 +140,8 @@ void SetSlopes(uint added, TubePath tube, SurfacePoint at, uint index, uint rece
 static const uint NO_RECEIVER = 0xffffffff;
 
 // Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
-// corners: see BounceOf.
-bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, float strength, float side,
+// corners: see BounceOf. strength, weight: of the ray.
+bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, float strength, float weight, float side,
     bool canDivide)
 {
     Bounce bounce = (Bounce)0;
@@ -171,7 +173,7 @@ bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, fl
             float2 falls = 1.0 / max(abs(x), 1.0);
             if (step == 0)
             {
-                if (error * falls.x * falls.y * side * side * most > CellError())
+                if (error * falls.x * falls.y * side * side * most * max(weight, bounce.Weight) > CellError())
                     return false;
                 continue;
             }

@@ -19,12 +19,23 @@ static const float MAX_UNITS = 4.0e18;
 static const float MAX_ERROR_UNITS = 1.0e17;
 static const float SQRT_4_PI = 3.54490770181103205;
 
+// Of a slot and frequency: see SUM_S.
+static const uint TUBE_SUM_COUNT = SUM_TUBE_OVERFLOW / 2;
+
 // A sum of a thread, 64 bits in two's complement.
 struct Sum
 {
     uint Lower;
     uint Upper;
 };
+
+Sum NoSum()
+{
+    Sum sum;
+    sum.Lower = 0;
+    sum.Upper = 0;
+    return sum;
+}
 
 void Accumulate(inout Sum sum, float units, inout uint overflow)
 {
@@ -135,7 +146,7 @@ struct TubeShape
 {
     float2 Integral;       // of exp(j phase) over the piece, base cells; of an edge m
     float2 Factor;         // that the coefficients do not contain
-    float Scale;           // units of S a unit of Tube.Error
+    float Scale;           // S of an error of p.C times area, 1/m
     float Cancelled;       // of a square: the part of its area that its phase cancels
 };
 
@@ -176,7 +187,7 @@ TubeShape ShapeOf(Tube tube, float k, float2 w)
 struct Radiation
 {
     float2 VV, HV, VH, HH;
-    float Scale;           // units of S a unit of Tube.Error
+    float Scale;           // S of an error of p.C times area, 1/m
     float2 Cancelled;      // of a square: the part of its area that its phase cancels, times exp(j phase) at the middle
 };
 
@@ -241,7 +252,7 @@ float SquaresOf(float error, float2 bent)
     return min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS);
 }
 
-void AccumulateS(inout Sum sums[11], Radiation radiation, inout uint overflow)
+void AccumulateS(inout Sum sums[TUBE_SUM_COUNT], Radiation radiation, inout uint overflow)
 {
     Accumulate(sums[0], sums[1], radiation.VV, overflow);
     Accumulate(sums[2], sums[3], radiation.HV, overflow);
@@ -249,17 +260,25 @@ void AccumulateS(inout Sum sums[11], Radiation radiation, inout uint overflow)
     Accumulate(sums[6], sums[7], radiation.HH, overflow);
 }
 
-// Adds S of a tube, and its error.
-void AccumulateTube(inout Sum sums[11], Tube tube, Radiation radiation, inout uint overflow)
+// S of the error by a tube's bent phase, in units: of the one of two polarisations with the larger S. error: of a piece, m.
+// Errors of bent phases may add up or not. At a silhouette, where the phase runs fast, a linear one errs to the same side in
+// each cell.
+float2 BentS(float bent, float2 first, float2 second, float error, float2 cancelled)
+{
+    return bent * ((dot(first, first) > dot(second, second) ? first : second) + _UnitsPerMetre * error * cancelled);
+}
+
+// Adds S of a tube, and its errors.
+void AccumulateTube(inout Sum sums[TUBE_SUM_COUNT], Tube tube, Radiation radiation, inout uint overflow)
 {
     AccumulateS(sums, radiation, overflow);
-    // Errors of bent phases may add up or not. At a silhouette, where the phase runs fast, a linear one errs to the
-    // same side in each cell.
-    float error = tube.Error * radiation.Scale;
-    float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent
-        * ((dot(vv, vv) > dot(hh, hh) ? vv : hh) + _UnitsPerMetre * error * radiation.Cancelled);
+    float2 errors = tube.Error * radiation.Scale * MagnitudesOf(tube),
+        bent = BentS(tube.Bent, radiation.VV, radiation.HH, errors.x, radiation.Cancelled),
+        crossBent = BentS(tube.Bent, radiation.HV, radiation.VH, errors.y, radiation.Cancelled);
     Accumulate(sums[8], sums[9], bent, overflow);
-    Accumulate(sums[10], SquaresOf(error, bent), overflow);
+    Accumulate(sums[10], SquaresOf(errors.x, bent), overflow);
+    Accumulate(sums[11], sums[12], crossBent, overflow);
+    Accumulate(sums[13], SquaresOf(errors.y, crossBent), overflow);
 }
 
 // The tubes of a group: the first one, and the end.
@@ -269,24 +288,21 @@ uint2 TubesOf(uint3 group)
     return uint2(first, min(first + TUBES_A_GROUP, min(_Sums[TUBE_COUNT], _ListCapacity.x)));
 }
 
-void Clear(out Sum sums[11])
+void Clear(out Sum sums[TUBE_SUM_COUNT])
 {
-    for (uint i = 0; i < 11; i++)
-    {
-        sums[i].Lower = 0;
-        sums[i].Upper = 0;
-    }
+    for (uint i = 0; i < TUBE_SUM_COUNT; i++)
+        sums[i] = NoSum();
 }
 
 static const uint NO_SLOT = 0xffffffff;
 
 // Adds the sums of a thread to those of a slot of all poses.
-void AddSums(uint slot, uint frequency, uint copy, Sum sums[11], uint overflow)
+void AddSums(uint slot, uint frequency, uint copy, Sum sums[TUBE_SUM_COUNT], uint overflow)
 {
     if (slot == NO_SLOT)
         return;
     uint first = TUBE_SUMS + ((copy * _PoseCount * _SlotCount + slot) * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
-    for (uint sum = 0; sum < 11; sum++)
+    for (uint sum = 0; sum < TUBE_SUM_COUNT; sum++)
         AddWords(first + SUM_S + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
     if (overflow != 0)
         InterlockedOr(_Sums[first + SUM_TUBE_OVERFLOW], 1);
@@ -305,7 +321,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     [loop]
     for (uint slot = 0; slot < _SlotCount; slot++)
     {
-        Sum sums[11];
+        Sum sums[TUBE_SUM_COUNT];
         Clear(sums);
         uint overflow = 0, held = NO_SLOT;
         [loop]
@@ -345,7 +361,7 @@ void TubeParts(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         Tube tube = _Tubes[i];
         if ((tube.Tag & 0xff) % _ReceiverCount != _Parts.x)
             continue;
-        Sum sums[11];
+        Sum sums[TUBE_SUM_COUNT];
         Clear(sums);
         uint overflow = 0;
         AccumulateS(sums, RadiationOf(tube, i, _WaveNumbers[_Parts.y]), overflow);

@@ -90,7 +90,7 @@ namespace Glint.Tests
                         var pose = ErrorPose.Of(target, scene, number);
                         var result = tracer.Trace(pose);
                         var s = result.S[0, 0];
-                        double scale = new CrossSectionAccuracy(s, 0, result.FloorDbsm).Scale;
+                        double scale = ErrorPose.ScaleOf(s, result.FloorDbsm);
                         yield return new Sample
                         {
                             Target = target, Number = number, Said = result.Errors[0, 0], IsMet = result.IsMet,
@@ -134,7 +134,7 @@ namespace Glint.Tests
                     if (!known.Contains((target, number)))
                     {
                         var s = TruthOf(target, number);
-                        var parts = new[] { s.VV, s.HH }.SelectMany(part => new[] { part.Real, part.Imaginary });
+                        var parts = new[] { s.VV, s.HH, s.HV, s.VH }.SelectMany(part => new[] { part.Real, part.Imaginary });
                         File.AppendAllText(file, $"{target} {number} "
                             + string.Join(" ", parts.Select(part => part.ToString("g9", CultureInfo.InvariantCulture))) + "\n");
                     }
@@ -156,7 +156,8 @@ namespace Glint.Tests
                 double Number(int field) => double.Parse(fields[field], CultureInfo.InvariantCulture);
                 return (fields[0], (int)Number(1), new ScatteringMatrix
                 {
-                    VV = new Complex(Number(2), Number(3)), HH = new Complex(Number(4), Number(5))
+                    VV = new Complex(Number(2), Number(3)), HH = new Complex(Number(4), Number(5)),
+                    HV = new Complex(Number(6), Number(7)), VH = new Complex(Number(8), Number(9))
                 });
             }).ToArray();
     }

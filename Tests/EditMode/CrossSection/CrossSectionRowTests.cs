@@ -50,15 +50,19 @@ namespace Glint.Tests
                 Throws.TypeOf<UsageException>().With.Message.EqualTo(
                     "the frequency 1000000000 Hz is given twice: give each once"));
 
-        // |S| = 2 m and an error of 1 % of it: 20 log10(1.01) dB. Of 0.1 m the same error is 20 %; of a floor of 1 m2, 2 %.
-        [TestCase(2, 2, -100, 0.0864275)]
-        [TestCase(2, 0.1, -100, 1.5836249)]
-        [TestCase(2, 0.1, 0, 0.1720034)]
-        public void ErrorInDecibels_IsThatOfTheWeakerCopolarisationOrTheFloor(double vv, double hh, double floor,
-            double expected)
+        // |S| = 2 m and an error of 1 % of it: 20 log10(1.01) dB. Of 0.1 m the same error is 20 %; of a floor of 1 m2, 2 %. Those
+        // of HV and VH are 0.003 m: 1 % of 0.3 m.
+        [TestCase("vv", -100, 0.0864275)]
+        [TestCase("vv,hh", -100, 1.5836249)]
+        [TestCase("vv,hh", 0, 0.1720034)]
+        [TestCase("hv", -100, 0.0864275)]
+        [TestCase("hv,vh", -100, 1.5836249)]
+        public void ErrorInDecibels_IsTheLargestOfThePolarisationsAskedFor(string names, double floor, double expected)
         {
-            var s = new ScatteringMatrix { VV = new Complex(0, vv), HH = hh, HV = 100 };
-            Assert.That(new CrossSectionAccuracy(s, 0.02, floor).ErrorDb, Is.EqualTo(expected).Within(1e-6));
+            var s = new ScatteringMatrix { VV = new Complex(0, 2), HH = 0.1, HV = new Complex(0, 0.3), VH = 0.015 };
+            var polarisations = Polarisation.Read(names);
+            var accuracy = new CrossSectionAccuracy(polarisations, s, 0.02, 0.003, floor);
+            Assert.That(accuracy.ErrorDb, Is.EqualTo(expected).Within(1e-6));
         }
 
         // 95 % are within the tolerance only if the standard error is smaller than it.

@@ -79,6 +79,10 @@ namespace Glint.Tests
             return pose;
         }
 
+        /// <summary>What errors of VV and HH are relative to: the smaller one, or the floor; metres.</summary>
+        public static double ScaleOf(in ScatteringMatrix s, double floorDbsm) => Math.Min(
+            CrossSectionAccuracy.ScaleOf(s.VV, floorDbsm), CrossSectionAccuracy.ScaleOf(s.HH, floorDbsm));
+
         // Three sides have a layer on metal; the others are those of a dielectric.
         static RadarScene CoatedBox()
         {

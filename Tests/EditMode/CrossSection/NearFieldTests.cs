@@ -69,7 +69,7 @@ namespace Glint.Tests
             {
                 var expected = SumOverPlate(a, b, pose.Range, pose.Radar, pose.Receivers[i]);
                 double allowed = CrossSectionAccuracy.AllowedBy(pose.ToleranceDb)
-                    * new CrossSectionAccuracy(expected, 0, result.FloorDbsm).Scale;
+                    * ErrorPose.ScaleOf(expected, result.FloorDbsm);
                 AssertWithin(result.S[i, 0], expected, allowed, $"receiver {i}");
             }
         }
@@ -127,7 +127,7 @@ namespace Glint.Tests
             for (int i = 0; i < pose.Receivers.Length; i++)
             {
                 double allowed = CrossSectionAccuracy.AllowedBy(pose.ToleranceDb)
-                    * new CrossSectionAccuracy(expected[i, 0], 0, result.FloorDbsm).Scale;
+                    * ErrorPose.ScaleOf(expected[i, 0], result.FloorDbsm);
                 AssertWithin(result.S[i, 0], expected[i, 0], allowed, $"receiver {i}");
                 double ratio = RootMeanSquare(result.S[i, 0], expected[i, 0]) / result.Errors[i, 0];
                 Assert.That(ratio, Is.LessThan(3), $"true over said, receiver {i}");
@@ -176,7 +176,7 @@ namespace Glint.Tests
                 pose.Receivers = new[] { receivers[i] };
                 var s = Tracer.Trace(pose).S[0, 0];
                 double allowed = 2 * CrossSectionAccuracy.AllowedBy(pose.ToleranceDb)
-                    * new CrossSectionAccuracy(s, 0, together.FloorDbsm).Scale;
+                    * ErrorPose.ScaleOf(s, together.FloorDbsm);
                 AssertWithin(together.S[i, 0], s, allowed, $"receiver {i}");
             }
         }

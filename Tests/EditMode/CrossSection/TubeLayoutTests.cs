@@ -58,7 +58,7 @@ namespace Glint.Tests
             var pose = new TubePose
             {
                 Origin = Row(101), OriginDx = Row(105), OriginDy = Row(109), Direction = Row(113), DirectionDx = Row(117),
-                DirectionDy = Row(121), SentV = Row(125), SentH = Row(129), GridX = Row(133), GridY = Row(137),
+                DirectionDy = Row(121), SentV = Row(125).xyz, CrossWeight = 128, SentH = Row(129), GridX = Row(133), GridY = Row(137),
                 GridDepth = Row(141), Slice = uint4(145, 146, 147, 148), Cells = uint2(149, 150), Blocks = uint2(151, 152),
                 Reference = float2(153, 154), FirstCorner = 155, OriginDepth = 156, RadarPhase = 157,
                 CellError = 158, MaxLevel = 159, MaxBisections = 160
@@ -97,6 +97,7 @@ namespace Glint.Tests
                     ["TUBE_SUM_WORDS"] = TubeKernels.SumWords,
                     // Sums have two words.
                     ["SUM_S"] = 0, ["SUM_BENT"] = 2 * TubeSums.Bent, ["SUM_ERROR"] = 2 * TubeSums.Border,
+                    ["SUM_CROSS_BENT"] = 2 * TubeSums.CrossBent, ["SUM_CROSS_ERROR"] = 2 * TubeSums.CrossBorder,
                     ["SUM_TUBE_OVERFLOW"] = TubeSums.TooLarge,
                     ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers,
                     ["BAND_FREQUENCIES"] = TubeBands.MaxFrequencies, ["BAND_ROWS"] = TubeBands.Rows,

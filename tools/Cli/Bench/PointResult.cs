@@ -51,7 +51,7 @@ sealed class PointRow(double azimuth, double floorDbsm)
 
     /// <summary>Error of <see cref="Converged"/>.</summary>
     public CrossSectionAccuracy ConvergedError =>
-        new(Converged, Points[^1].Deviation(Converged) / Math.Sqrt(Points[^1].Matrices.Count - 1), floorDbsm);
+        Of(Points[^1].Deviation(Converged) / Math.Sqrt(Points[^1].Matrices.Count - 1));
 
     /// <summary>Whether both reach the tolerance.</summary>
     public bool IsReached => IsWithin(Tubes[^1]) && IsWithin(Enough);
@@ -63,7 +63,13 @@ sealed class PointRow(double azimuth, double floorDbsm)
     public double Ratio => Enough.Rays / (double)Tubes[^1].Rays;
 
     /// <summary>Measured error of a sampling, root mean square.</summary>
-    public CrossSectionAccuracy ErrorOf(Sampling sampling) => new(Converged, sampling.Deviation(Converged), floorDbsm);
+    public CrossSectionAccuracy ErrorOf(Sampling sampling) => Of(sampling.Deviation(Converged));
+
+    // VV and HH alone are measured.
+    CrossSectionAccuracy Of(double error) => new(Polarisation.CoPolar, Converged, error, 0, floorDbsm);
+
+    /// <summary>What errors are relative to: the smaller of VV and HH, or the floor; metres.</summary>
+    public double Scale => Polarisation.CoPolar.Min(each => CrossSectionAccuracy.ScaleOf(each.Of(Converged), floorDbsm));
 
     public bool IsWithin(Sampling sampling) => ErrorOf(sampling).Excess(PointResult.ToleranceDb) <= 1;
 

@@ -32,7 +32,7 @@ sealed class PointTables(Terminal terminal)
             var tubes = row.Tubes[^1];
             var usual = row.Points.Find(points => points.Setting == PointResult.UsualAcross);
             table.AddRow(Escaped(Text($"{row.AzimuthDegrees:0.###}"),
-                Text($"{20 * Math.Log10(row.ConvergedError.Scale):0.00}"), Millions(tubes.Rays), Bound(row, tubes),
+                Text($"{20 * Math.Log10(row.Scale):0.00}"), Millions(tubes.Rays), Bound(row, tubes),
                 Millions(usual.Rays), Bound(row, usual), Text($"{row.Enough.Setting}"), Millions(row.Enough.Rays),
                 Text($"{row.Ratio:0.0}{(row.IsReached ? "" : " *")}")));
         }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Unity.Mathematics;
 
@@ -109,6 +110,9 @@ namespace Glint.Core
         /// </summary>
         public double ToleranceDb { get; set; } = DefaultToleranceDb;
 
+        /// <summary>Those whose amplitudes are to have the error asked for; all are computed.</summary>
+        public IReadOnlyList<Polarisation> Polarisations { get; set; } = Polarisation.CoPolar;
+
         /// <summary>
         /// Cross section below which the tolerance is that of this one, dBsm; null: <see cref="CrossSectionFloor"/>.
         /// </summary>
@@ -152,7 +156,8 @@ namespace Glint.Core
             && BandCentre == other.BandCentre && Times.SequenceEqual(other.Times) && WaveFactors == other.WaveFactors
             && MaxBounces == other.MaxBounces && OnlyBounce == other.OnlyBounce
             && HasEdges == other.HasEdges && FadesShadows == other.FadesShadows && CreaseDegrees == other.CreaseDegrees
-            && ToleranceDb == other.ToleranceDb && FloorDbsm == other.FloorDbsm;
+            && ToleranceDb == other.ToleranceDb && Polarisations.SequenceEqual(other.Polarisations)
+            && FloorDbsm == other.FloorDbsm;
     }
 
     /// <summary>The default floor: the same for every pose of a target.</summary>

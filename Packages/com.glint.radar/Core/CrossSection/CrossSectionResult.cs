@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Numerics;
 
 namespace Glint.Core
 {
@@ -13,6 +15,7 @@ namespace Glint.Core
             Clutter = new ClutterEcho[samples];
             ShipSea = new ClutterEcho[samples];
             Errors = new double[receivers, samples];
+            CrossErrors = new double[receivers, samples];
         }
 
         /// <summary>
@@ -35,8 +38,16 @@ namespace Glint.Core
         /// </summary>
         public ClutterEcho[] ShipSea { get; }
 
-        /// <summary>Standard error of the integration, of each complex amplitude, metres.</summary>
+        /// <summary>Standard error of the integration, of the complex amplitudes of VV and HH, metres.</summary>
         public double[,] Errors { get; }
+
+        /// <summary>The same of HV and VH.</summary>
+        public double[,] CrossErrors { get; }
+
+        /// <summary>The errors of some polarisations beside their amplitudes.</summary>
+        public CrossSectionAccuracy AccuracyOf(IReadOnlyList<Polarisation> polarisations, int receiver, int sample) =>
+            new CrossSectionAccuracy(polarisations, S[receiver, sample], Errors[receiver, sample],
+                CrossErrors[receiver, sample], FloorDbsm);
 
         /// <summary>The floor of the tolerance, dBsm.</summary>
         public double FloorDbsm { get; set; }
@@ -54,10 +65,13 @@ namespace Glint.Core
         public int WedgesLeftOut { get; set; }
 
         /// <summary>
-        /// Error that a cell was allowed, as a fraction of what a conducting plate of a base cell returns: with it the tracer
-        /// finds the same tubes again.
+        /// Error that a cell was allowed in VV and HH, as a fraction of what a conducting plate of a base cell returns: with it
+        /// and that of HV and VH the tracer finds the same tubes again.
         /// </summary>
         public double CellError { get; set; }
+
+        /// <summary>The same in HV and VH.</summary>
+        public double CrossCellError { get; set; }
 
         /// <summary>Adds the diffuse echo of seas at each sample, which returns to the only receiver.</summary>
         /// <param name="clutter">Null: none.</param>
@@ -89,22 +103,26 @@ namespace Glint.Core
 
         readonly double _relativeError;
 
-        /// <summary>The error of a matrix.</summary>
+        /// <summary>The largest error of some elements of a matrix, each beside its own amplitude.</summary>
+        /// <param name="polarisations">The elements.</param>
         /// <param name="s">The matrix, metres.</param>
-        /// <param name="error">Its standard error, metres.</param>
+        /// <param name="error">Standard error of VV and HH, metres.</param>
+        /// <param name="crossError">The same of HV and VH.</param>
         /// <param name="floorDbsm">The floor, which replaces amplitudes below it.</param>
-        public CrossSectionAccuracy(in ScatteringMatrix s, double error, double floorDbsm)
+        public CrossSectionAccuracy(IReadOnlyList<Polarisation> polarisations, in ScatteringMatrix s, double error,
+            double crossError, double floorDbsm)
         {
-            Scale = Math.Max(Math.Pow(10, floorDbsm / 20), Math.Min(s.VV.Magnitude, s.HH.Magnitude));
-            _relativeError = error / Scale;
+            _relativeError = 0;
+            foreach (var polarisation in polarisations)
+                _relativeError = Math.Max(_relativeError,
+                    (polarisation.IsCross ? crossError : error) / ScaleOf(polarisation.Of(s), floorDbsm));
         }
 
-        /// <summary>
-        /// What errors of the matrix are relative to, metres: the smaller of VV and HH, or the floor if that is larger.
-        /// </summary>
-        public double Scale { get; }
+        /// <summary>What an error is relative to: the amplitude, or the floor if that is larger, metres.</summary>
+        public static double ScaleOf(Complex amplitude, double floorDbsm) =>
+            Math.Max(Math.Pow(10, floorDbsm / 20), amplitude.Magnitude);
 
-        /// <summary>The standard error in decibels, of VV or HH: the one with the larger error.</summary>
+        /// <summary>The largest standard error, decibels.</summary>
         public double ErrorDb => 20 * Math.Log10(1 + _relativeError);
 
         /// <summary>Ratio of the error, which 95 % of amplitudes do not exceed, to that of a tolerance.</summary>

@@ -30,6 +30,9 @@ namespace Glint.Core
         /// <inheritdoc cref="CrossSectionResult.Errors"/>
         public double Error { get; set; }
 
+        /// <inheritdoc cref="CrossSectionResult.CrossErrors"/>
+        public double CrossError { get; set; }
+
         /// <summary>Level below which no accuracy was asked for, decibels of a square metre.</summary>
         public double FloorDbsm { get; set; }
 
@@ -58,8 +61,8 @@ namespace Glint.Core
         public Complex? Amplitude(Polarisation polarisation) =>
             _polarisations.Contains(polarisation) ? polarisation.Of(S) : (Complex?)null;
 
-        /// <summary>The error beside the amplitudes.</summary>
-        public CrossSectionAccuracy Accuracy => new CrossSectionAccuracy(S, Error, FloorDbsm);
+        /// <summary>The largest error of the amplitudes that were asked for, beside each.</summary>
+        public CrossSectionAccuracy Accuracy => new CrossSectionAccuracy(_polarisations, S, Error, CrossError, FloorDbsm);
 
         /// <summary>Whether the error is as small as was asked for.</summary>
         public bool MeetsTolerance => Accuracy.Excess(ToleranceDb) <= 1;

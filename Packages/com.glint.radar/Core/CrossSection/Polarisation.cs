@@ -24,6 +24,9 @@ namespace Glint.Core
         /// <summary>Sent and received in H.</summary>
         public static Polarisation HH => All[3];
 
+        /// <summary>Those that are received as they are sent.</summary>
+        public static readonly IReadOnlyList<Polarisation> CoPolar = new[] { VV, HH };
+
         /// <summary>In the order of arrays: V before H, the sent polarisation changing fastest.</summary>
         public static readonly IReadOnlyList<Polarisation> Matrix = All
             .OrderBy(polarisation => polarisation.Received).ThenBy(polarisation => polarisation.Sent).ToArray();
@@ -41,6 +44,9 @@ namespace Glint.Core
 
         /// <summary>Column in the matrix: 0 sent in V, 1 in H.</summary>
         public int Sent { get; }
+
+        /// <summary>HV or VH.</summary>
+        public bool IsCross => Received != Sent;
 
         /// <summary>Its amplitude, metres.</summary>
         public Complex Of(in ScatteringMatrix s) => _element(s);

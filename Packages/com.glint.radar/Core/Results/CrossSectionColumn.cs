@@ -28,11 +28,13 @@ namespace Glint.Core
         public static readonly ResultColumn ReceiverElevation = ResultColumn.MissingAllowed(Of("receiver_elevation_deg",
             "Elevation of the receiver", "deg", row => row.Planned.ReceiverElevationDegrees));
 
-        /// <summary>Standard error of the integration in decibels of VV or HH, whichever has the larger one.</summary>
+        /// <summary>
+        /// Standard error of the integration, decibels: of the polarisation that has the largest one beside its amplitude.
+        /// </summary>
         public static readonly ResultColumn ErrorDb =
             Of("integration_error_db", "Error of the integration", "dB", row => row.Accuracy.ErrorDb);
 
-        /// <summary>Standard error of the integration, of each amplitude.</summary>
+        /// <summary>Standard error of the integration, of the amplitudes of VV and HH.</summary>
         public static readonly ResultColumn Error =
             Of("integration_error_m", "Error of the integration, of S", "m", row => row.Error);
 
@@ -47,9 +49,13 @@ namespace Glint.Core
         /// <summary>Time of a pulse after the first; only with pulses.</summary>
         public static readonly ResultColumn Time = Optional(Of("time_s", "Time", "s", row => row.Planned.Time));
 
-        // Rows of older files do not have it.
-        static readonly ResultColumn Bounces =
-            ResultColumn.MissingAllowed(Of("bounces", "Bounces at most", "1", row => row.Bounces));
+        // Rows of older files do not have these.
+        static readonly ResultColumn[] s_ofLastVersion =
+        {
+            ResultColumn.MissingAllowed(Of("bounces", "Bounces at most", "1", row => row.Bounces)),
+            ResultColumn.MissingAllowed(Of("cross_integration_error_m", "Error of the integration, of S of HV and VH", "m",
+                row => row.CrossError))
+        };
 
         static readonly (ResultColumn re, ResultColumn im)[] s_amplitudes =
             Polarisation.All.Select(polarisation => (Of(polarisation, "re", "real part", amplitude => amplitude.Real),
@@ -64,12 +70,11 @@ namespace Glint.Core
                 {
                     ErrorDb, Error, ToleranceMet, OutsidePhysicalOptics,
                     Of("coarse_area_share", "Share of the area with coarse facets", "1", row => row.CoarseShare),
-                    Of("tubes", "Tubes", "1", row => row.Tubes), Of("rays", "Rays", "1", row => row.Rays), Time,
-                    Bounces
-                }).ToArray());
+                    Of("tubes", "Tubes", "1", row => row.Tubes), Of("rays", "Rays", "1", row => row.Rays), Time
+                }).Concat(s_ofLastVersion).ToArray());
 
-        /// <summary>Those of responses over a band, whose arrays have a place for each: all but the bounces.</summary>
-        public static IReadOnlyList<ResultColumn> OfEchoes { get; } = All.Where(column => column != Bounces).ToArray();
+        /// <summary>Those of responses over a band, whose arrays have a place for each: all but the last two.</summary>
+        public static IReadOnlyList<ResultColumn> OfEchoes { get; } = All.Except(s_ofLastVersion).ToArray();
 
         /// <summary>The amplitude of a polarisation in a row, metres; null if it was not asked for.</summary>
         public static Complex? Amplitude(StoredRow row, Polarisation polarisation)

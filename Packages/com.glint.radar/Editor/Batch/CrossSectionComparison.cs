@@ -55,7 +55,7 @@ namespace Glint.Editor
             double allowed = CrossSectionAccuracy.AllowedBy(_setup.ToleranceDb);
             if (!(_largest <= allowed))
                 throw new GlintException(FormattableString.Invariant(
-                    $"{name}: |dS| beside the reference tracer is {_largest:g3} of the row's scale at {_worst}; a tolerance of {_setup.ToleranceDb:g4} dB allows {allowed:g3}: the files are written; ask for a smaller {CrossSectionOptions.Tolerance.Flag}, or a larger {CrossSectionOptions.Floor.Flag} for nulls"));
+                    $"{name}: |dS| beside the reference tracer is {_largest:g3} of its amplitude or the floor at {_worst}; a tolerance of {_setup.ToleranceDb:g4} dB allows {allowed:g3}: the files are written; ask for a smaller {CrossSectionOptions.Tolerance.Flag}, or a larger {CrossSectionOptions.Floor.Flag} for nulls"));
         }
 
         void Compare(CrossSectionRow row, in ScatteringMatrix other, IProgressSink progress)
@@ -63,7 +63,7 @@ namespace Glint.Editor
             foreach (var polarisation in _setup.Polarisations)
             {
                 Complex s = polarisation.Of(row.S), expected = polarisation.Of(other);
-                double relative = (s - expected).Magnitude / row.Accuracy.Scale;
+                double relative = (s - expected).Magnitude / CrossSectionAccuracy.ScaleOf(s, row.FloorDbsm);
                 // Not a number is worse than any.
                 if (_worst == null || !(relative <= _largest))
                     (_worst, _largest) = (row, relative);

@@ -204,7 +204,8 @@ namespace Glint
             int sample = pose.SampleOf(planned.Pulse + planned.Pose - key.Pose, frequency);
             return new CrossSectionRow(planned, trace.S[receiver, sample], _setup.Polarisations)
             {
-                Error = trace.Errors[receiver, sample], FloorDbsm = _setup.FloorDbsm,
+                Error = trace.Errors[receiver, sample], CrossError = trace.CrossErrors[receiver, sample],
+                FloorDbsm = _setup.FloorDbsm,
                 ToleranceDb = _setup.ToleranceDb, Radius = _setup.Radius,
                 CoarseShare = _setup.Quality.Share(Signal.Wavelength(planned.Frequency)),
                 Tubes = trace.Tubes, Rays = trace.Rays, Bounces = trace.Bounces,

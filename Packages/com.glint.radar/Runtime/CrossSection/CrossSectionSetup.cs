@@ -182,7 +182,8 @@ namespace Glint
                 Scene = PlacedScene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre,
                 Range = planned.Range ?? Range,
                 Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
-                CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm,
+                CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb,
+                Polarisations = Polarisations, FloorDbsm = FloorDbsm,
                 BandCentre = Echo?.BandOf(Plan).Centre,
                 RangeCell = Echo?.BandOf(Plan).RangeResolution ?? double.PositiveInfinity,
                 Times = Enumerable.Range(0, Plan.PulseCount).Select(pulse => Plan.Pulses?.TimeOf(pulse) ?? 0).ToArray()

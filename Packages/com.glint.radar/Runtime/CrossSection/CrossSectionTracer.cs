@@ -129,7 +129,10 @@ namespace Glint
             double floor = Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max), FloorOf(clutter));
             TraceEdges(jobs, read => AddTo(jobs, job => job.Edges, read), cancel);
             foreach (var job in jobs)
-                job.Begin(CellError > 0 ? CellError : FirstCellErrorOf(job));
+            {
+                double cellError = CellError > 0 ? CellError : FirstCellErrorOf(job);
+                job.Begin(cellError, cellError);
+            }
             while (jobs.Any(job => !job.IsDone))
             {
                 cancel.ThrowIfCancellationRequested();
@@ -153,15 +156,21 @@ namespace Glint
             result.Add(clutter, shipSea);
             result.FloorDbsm = floor;
             result.WedgesLeftOut = job.Pose.HasEdges ? _edges.LeftOutCount : 0;
-            double excess = Excess(result, job.Pose.ToleranceDb, floor);
-            result.IsMet = excess <= 1;
-            double atLeast = InBaseCells(job, MinCellError);
-            job.IsDone = result.IsMet || CellError > 0 || job.CellError <= atLeast;
-            if (job.IsDone)
-                return;
-            // Errors fall with the power 0.6 of that of a cell.
+            double excess = Excess(result, job.Pose, isCross: false), crossExcess = Excess(result, job.Pose, isCross: true);
+            result.IsMet = excess <= 1 && crossExcess <= 1;
+            double next = NextCellError(job, job.CellError, excess), nextCross = NextCellError(job, job.CrossCellError, crossExcess);
+            job.IsDone = result.IsMet || CellError > 0 || next == job.CellError && nextCross == job.CrossCellError;
+            if (!job.IsDone)
+                job.Begin(next, nextCross);
+        }
+
+        // Errors fall with the power 0.6 of that of a cell.
+        static double NextCellError(TubeJob job, double cellError, double excess)
+        {
+            if (excess <= 1)
+                return cellError;
             double step = Math.Ceiling(Math.Log(math.clamp(1.5 * Math.Pow(excess, 1.6), 2, 64), 2));
-            job.Begin(Math.Max(atLeast, job.CellError / Math.Pow(2, step)));
+            return Math.Min(cellError, Math.Max(InBaseCells(job, MinCellError), cellError / Math.Pow(2, step)));
         }
 
         static double FirstCellErrorOf(TubeJob job) => InBaseCells(job, math.clamp(
@@ -211,7 +220,7 @@ namespace Glint
             var sums = new PartSums(_surfaces.Parts, TubeSums.OutputSize(pose, 1), job.Edges, receiver, frequency);
             _tubes.SumParts(job, _scene, _surfaces, sums, receiver, frequency);
             TraceEdges(new[] { job }, sums.Add, cancel);
-            job.Begin(result.CellError);
+            job.Begin(result.CellError, result.CrossCellError);
             while (job.Left > 0)
             {
                 cancel.ThrowIfCancellationRequested();
@@ -234,7 +243,7 @@ namespace Glint
             SetScene(pose, cancel);
             var job = new TubeJob(pose, GridOf(pose));
             _tubes.SumAll(new[] { job }, _scene, _surfaces);
-            job.Begin(1);
+            job.Begin(1, 1);
             while (job.Left > 0)
             {
                 cancel.ThrowIfCancellationRequested();
@@ -243,14 +252,15 @@ namespace Glint
             return job.Sums.ToResult();
         }
 
-        // Largest ratio of an error to the one allowed.
-        static double Excess(CrossSectionResult result, double toleranceDb, double floorDbsm)
+        // Largest ratio of an error to the one allowed, of the co-polarised or cross-polarised ones that are asked for.
+        static double Excess(CrossSectionResult result, CrossSectionPose pose, bool isCross)
         {
             double excess = 0;
+            var polarisations = pose.Polarisations.Where(polarisation => polarisation.IsCross == isCross).ToArray();
             for (int receiver = 0; receiver < result.S.GetLength(0); receiver++)
-                for (int frequency = 0; frequency < result.S.GetLength(1); frequency++)
-                    excess = Math.Max(excess, new CrossSectionAccuracy(result.S[receiver, frequency],
-                        result.Errors[receiver, frequency], floorDbsm).Excess(toleranceDb));
+                for (int sample = 0; sample < result.S.GetLength(1); sample++)
+                    excess = Math.Max(excess,
+                        result.AccuracyOf(polarisations, receiver, sample).Excess(pose.ToleranceDb));
             return excess;
         }
 

@@ -25,14 +25,19 @@ namespace Glint
         /// <summary>Of the attempt.</summary>
         public TubeSums Sums { get; private set; }
 
-        /// <summary>Error that a cell may have, as a fraction of what a conducting plate of a base cell returns.</summary>
+        /// <summary>
+        /// Error that a cell may have, as a fraction of what a conducting plate of a base cell returns: in VV and HH.
+        /// </summary>
         public double CellError { get; private set; }
+
+        /// <summary>The same in HV and VH, at most that of VV and HH.</summary>
+        public double CrossCellError { get; private set; }
 
         // A division makes a cell's share a quarter; a bisection halves the error of its border. Where curved surfaces
         // focus, a base cell returns up to 64 times what a plate does.
-        public int MaxLevel => (int)Math.Ceiling(0.5 * Math.Log(1.2 / CellError, 2)) + 3;
+        public int MaxLevel => (int)Math.Ceiling(0.5 * Math.Log(1.2 / CrossCellError, 2)) + 3;
 
-        public int MaxBisections => (int)Math.Ceiling(Math.Log(1 / CellError, 2)) + 8;
+        public int MaxBisections => (int)Math.Ceiling(Math.Log(1 / CrossCellError, 2)) + 8;
 
         /// <summary>First cell of the next slice.</summary>
         public long Next { get; private set; }
@@ -50,18 +55,19 @@ namespace Glint
         public bool IsDone { get; set; }
 
         /// <summary>Begins an attempt.</summary>
-        public void Begin(double cellError)
+        public void Begin(double cellError, double crossCellError)
         {
-            CellError = cellError;
+            (CellError, CrossCellError) = (cellError, Math.Min(cellError, crossCellError));
             Sums = new TubeSums(Pose, Grid);
             Next = 0;
-            _slices.Begin(cellError);
+            _slices.Begin(Math.Sqrt(CellError * CrossCellError));
         }
 
         /// <summary>Tells the kernels how finely cells are divided and borders found.</summary>
         public void SetAccuracy(ref TubePose pose)
         {
             pose.CellError = (float)(CellError * 2 * Grid.Side * Grid.Side);
+            pose.CrossWeight = (float)(CellError / CrossCellError);
             (pose.MaxLevel, pose.MaxBisections) = ((uint)MaxLevel, (uint)MaxBisections);
         }
 
@@ -113,7 +119,7 @@ namespace Glint
         {
             Sums.Add(Edges);
             Result = Sums.ToResult();
-            Result.CellError = CellError;
+            (Result.CellError, Result.CrossCellError) = (CellError, CrossCellError);
             _raysBefore += Result.Rays;
             Result.Rays = _raysBefore + Edges.Rays;
             return Result;

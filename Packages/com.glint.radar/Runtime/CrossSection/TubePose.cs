@@ -8,7 +8,10 @@ namespace Glint
     [StructLayout(LayoutKind.Sequential)]
     struct TubePose
     {
-        public float4 Origin, OriginDx, OriginDy, Direction, DirectionDx, DirectionDy, SentV, SentH, GridX, GridY, GridDepth;
+        public float4 Origin, OriginDx, OriginDy, Direction, DirectionDx, DirectionDy;
+        public float3 SentV;
+        public float CrossWeight;
+        public float4 SentH, GridX, GridY, GridDepth;
         public uint4 Slice;
         public uint2 Cells, Blocks;
         public float2 Reference;
@@ -25,7 +28,7 @@ namespace Glint
             (Origin, OriginDx, OriginDy) = (RowOf(rays.Origin), RowOf(rays.OriginDx), RowOf(rays.OriginDy));
             (Direction, DirectionDx, DirectionDy) =
                 (RowOf(rays.Direction), RowOf(rays.DirectionDx), RowOf(rays.DirectionDy));
-            (SentV, SentH) = (RowOf(pose.Radar.Up), RowOf(pose.Radar.Right));
+            (SentV, CrossWeight, SentH) = ((float3)pose.Radar.Up, 1, RowOf(pose.Radar.Right));
             var toCell = grid.ToCell();
             GridX = RowOf(toCell[0].Vector, toCell[0].Constant);
             GridY = RowOf(toCell[1].Vector, toCell[1].Constant);

@@ -16,7 +16,7 @@ namespace Glint
             PoseBounces = 3;
 
         /// <summary>Sums of a receiver and sample, two words each, and the word after them.</summary>
-        public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
+        public const int SumCount = 14, Bent = 8, Border = 10, CrossBent = 11, CrossBorder = 13, TooLarge = 28;
 
         /// <summary>Slots of all poses of a dispatch: Tube.Tag has eight bits for them.</summary>
         public const int MaxSlots = 256;
@@ -148,13 +148,17 @@ namespace Glint
                     result.S[receiver, sample] += s;
                     if (slot >= receivers)
                         result.Sea[receiver, sample] = s;
-                    double bent =
-                        new Complex(_sums[first + Bent], _sums[first + Bent + 1]).Magnitude / UnitsPerMetre;
-                    result.Errors[receiver, sample] = Norm(result.Errors[receiver, sample],
-                        Norm(Math.Sqrt(_sums[first + Border] / UnitsPerSquareMetre), bent));
+                    result.Errors[receiver, sample] =
+                        Norm(result.Errors[receiver, sample], ErrorOf(first + Bent, first + Border));
+                    result.CrossErrors[receiver, sample] =
+                        Norm(result.CrossErrors[receiver, sample], ErrorOf(first + CrossBent, first + CrossBorder));
                 }
             return result;
         }
+
+        // bent, border: the sums.
+        double ErrorOf(int bent, int border) => Norm(Math.Sqrt(_sums[border] / UnitsPerSquareMetre),
+            new Complex(_sums[bent], _sums[bent + 1]).Magnitude / UnitsPerMetre);
 
         static double Norm(double a, double b) => Math.Sqrt(a * a + b * b);
     }

@@ -269,7 +269,7 @@ public sealed class CrossSectionCommandTests
         var (code, _, error) = Execute(At("plate.obj"), "--azimuth", "5.73525", "--edges", "off", "--tolerance",
             "0.001", "--floor", "-200", "--reference", "--out", At("rcs"));
         Assert.That(code, Is.EqualTo(1));
-        Assert.That(error, Does.Match(@"glint: plate: \|dS\| beside the reference tracer is \S+ of the row's scale at "
+        Assert.That(error, Does.Match(@"glint: plate: \|dS\| beside the reference tracer is \S+ of its amplitude or the floor at "
             + @"azimuth 5\.73525 deg.*; a tolerance of 0\.001 dB allows 0\.000115: the files are written"));
         Assert.That(Rows("rcs"), Has.Count.EqualTo(1));
     }
