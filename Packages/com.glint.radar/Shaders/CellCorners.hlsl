@@ -56,17 +56,19 @@ CellCorners LoadCorners(inout Cell cell)
     return corners;
 }
 
-// Largest weighted strength of the corners at bounces that are not summed yet, and its product with the error by bent phases.
-float2 StrengthLeft(CellCorners corners, Cell cell)
+// Largest thinned strengths of the corners at bounces that are not summed yet: of all currents, of the cross-polarised ones;
+// and the largest weighted product with the error by bent phases.
+float3 StrengthLeft(CellCorners corners, Cell cell)
 {
     float side = SideOfCell(cell);
-    float2 most = 0.0;
+    float3 most = 0.0;
     for (uint i = 0; i < 4; i++)
         for (uint bounce = cell.FirstBounce; bounce < corners.Bounces[i]; bounce++)
         {
             Corner corner = _Corners[corners.Elements[i] + bounce];
-            float2 strength = WeightOf(corner) * corner.Strength;
-            most = max(most, float2(strength.x, min(strength.x, side * side * strength.y)));
+            float crossPart = CrossPartOf(corner), strength = corner.Strength * Thinning(f16tof32(corner.Changes), side);
+            float bent = min(1.0, side * side * f16tof32(corner.Changes >> 16));
+            most = max(most, strength * float3(1.0, crossPart, bent * WeightOf(crossPart)));
         }
     return most;
 }

@@ -150,10 +150,13 @@ float3 RateTo(Receiver receiver, TubePath tube, SurfacePoint at)
 }
 
 // Factor by which a phase gradient, m a base cell, makes the integral over part of a square of a side less than its area.
-float Thinning(float2 gradient, float side)
+float Thinning(float gradient, float side)
 {
-    return min(1.0, 3.0 / max(_WaveNumber * length(gradient) * side, 1.0e-6));
+    return min(1.0, 3.0 / max(_WaveNumber * gradient * side, 1.0e-6));
 }
+
+// In m2 a base cell: smaller currents may be rounded to 0.
+static const float MIN_CURRENTS = 1.0e-30;
 
 // About the largest p.C of a hit, m2 a base cell: that of a conductor.
 float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
@@ -175,21 +178,36 @@ float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
     return scale * strength;
 }
 
-// Factor of a strength beside CellError: more than 1 where a part of the currents is cross-polarised, whose error is to be
-// smaller.
-float WeightAt(TubePath tube, SurfacePoint at, uint receivers)
+// The cross-polarised part of p.C, 0 to 1: the largest of the receivers.
+float CrossPartAt(TubePath tube, SurfacePoint at, uint receivers)
 {
-    float weight = 1.0, crossWeight = _Poses[s_pose].CrossWeight;
-    if (crossWeight <= 1.0 || at.IsLost)
-        return weight;
+    float part = 0.0;
     [loop]
-    for (uint index = 0; index < _ReceiverCount; index++)
+    for (uint index = 0; index < _ReceiverCount && !at.IsLost; index++)
         if ((receivers >> index & 1) != 0)
         {
             float2 magnitudes = MagnitudesOf(CurrentsAt(tube, at, index, ReceiverFrom(index, tube.Path.Ray.Origin)));
-            weight = max(weight, crossWeight * magnitudes.y / max(max(magnitudes.x, magnitudes.y), 1.0e-30));
+            part = max(part, magnitudes.y / max(max(magnitudes.x, magnitudes.y), MIN_CURRENTS));
         }
-    return weight;
+    return min(part, 1.0);
+}
+
+// Factor of a strength beside CellError: more than 1 where a part of the currents is cross-polarised, whose error is to be
+// smaller.
+float WeightOf(float crossPart)
+{
+    return max(1.0, _Poses[s_pose].CrossWeight * crossPart);
+}
+
+// The smallest phase gradient towards the receivers, m a base cell.
+float SteepnessAt(TubePath tube, uint receivers)
+{
+    float least = MISS;
+    [loop]
+    for (uint index = 0; index < _ReceiverCount; index++)
+        if ((receivers >> index & 1) != 0)
+            least = min(least, length(PhaseSlope(tube, ReceiverFrom(index, tube.Path.Ray.Origin))));
+    return least;
 }
 
 static const uint NO_TUBE = 0xffffffff;

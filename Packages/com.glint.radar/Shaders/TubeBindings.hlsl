@@ -93,7 +93,7 @@ struct Cell
     uint Level;           // its side is 2^-Level base cells
     uint FirstBounce;     // bounces before it are summed already
     uint4 Signatures;     // of the rays through its corners, in order around it
-    float Strength;       // of what is left to sum: largest p.C times WeightAt, m2 a base cell
+    float Strength;       // of what is left to sum: largest weighted and thinned p.C, m2 a base cell
     float Bent;           // and the largest error of a piece by bent phases, as a fraction of its area
     uint2 Crossings;      // of the border with two sides: see BorderOf
     uint Pose;            // of this dispatch
@@ -132,7 +132,7 @@ struct TubePose
     uint FirstCorner;                            // of its corners in the dispatch
     float OriginDepth;                           // distance from the radar to the grid, m
     float RadarPhase;                            // that the phases of the grid's paths have beside ReceiverFrom, m
-    float CellError;                             // of p.C times WeightAt and area that a cell may have, m2
+    float CellError;                             // of weighted p.C times area that a cell may have, m2
     uint MaxLevel;                               // cells at it are not divided
     uint MaxBisections;                          // of the sides of a base cell towards a border
 };
@@ -286,8 +286,9 @@ uint FirstExtra(uint tube)
 struct Corner
 {
     uint Signature;       // of the path up to it
-    uint Bounces;         // in the first element of a corner: those of its ray; upper half: WeightAt as float16
-    float2 Strength;      // and its product with BentOf
+    uint Bounces;         // in the first element of a corner: those of its ray; upper half: CrossPartAt as float16
+    float Strength;
+    uint Changes;         // as float16: SteepnessAt, and BentOf in the upper half
     float4 Position;      // relative to the scene's centre, m; w: RelativeLength of the path
     float4 AlongU;        // its differentials, m a base cell
     float4 AlongV;
@@ -298,7 +299,7 @@ uint BouncesOf(Corner corner)
     return corner.Bounces & 0xffff;
 }
 
-float WeightOf(Corner corner)
+float CrossPartOf(Corner corner)
 {
     return f16tof32(corner.Bounces >> 16);
 }

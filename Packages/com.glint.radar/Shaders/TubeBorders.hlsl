@@ -1,7 +1,7 @@
 #ifndef GLINT_TUBE_BORDERS
 #define GLINT_TUBE_BORDERS
 
-#include "TubeGrid.hlsl"
+#include "CellCorners.hlsl"
 #include "TubeDivisions.hlsl"
 #include "Sums.hlsl"
 
@@ -57,9 +57,9 @@ static const float MAX_HIDDEN_ERROR = 8.0;
 // Whether the middle of a cell that is summed as a whole answers far more strongly than its corners.
 bool HidesCurrents(TubePath tube, SurfacePoint at, uint receivers, float side)
 {
-    float2 slope = PhaseSlope(tube, ReceiverFrom(0, tube.Path.Ray.Origin));
-    float error = CRUDE_ERROR * side * side * Thinning(slope, side) * StrengthAt(tube, at, receivers);
-    return error * WeightAt(tube, at, receivers) > MAX_HIDDEN_ERROR * CellError();
+    float strength = Thinning(SteepnessAt(tube, receivers), side) * StrengthAt(tube, at, receivers);
+    return CRUDE_ERROR * side * side * strength * WeightOf(CrossPartAt(tube, at, receivers))
+        > MAX_HIDDEN_ERROR * CellError();
 }
 
 // Adds the error of a cell whose corners see something, and its centre nothing: what is left out of the sum. A square
@@ -68,8 +68,12 @@ void AddMissed(Cell cell)
 {
     float side = SideOfCell(cell);
     Tube missed = (Tube)0;
-    missed.CoPolar.x = cell.Strength;
-    missed.CrossPolar.x = cell.Strength / _Poses[s_pose].CrossWeight;
+    // Of a thin part between corners that see nothing only the weighted strength is known.
+    float2 strengths = StrengthLeft(LoadCorners(cell), cell).xy;
+    if (strengths.x == 0.0)
+        strengths = cell.Strength * float2(1.0, 1.0 / _Poses[s_pose].CrossWeight);
+    missed.CoPolar.x = strengths.x;
+    missed.CrossPolar.x = strengths.y;
     missed.Corners01.x = side;
     missed.Error = CRUDE_ERROR * side * side;
     for (uint number = 0; number < _ReceiverCount; number++)
@@ -154,7 +158,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     }
                     currents.Error = isCut && isStraight
                         ? BentAreaError(chord, directions, width, currents.Gradient)
-                        : CRUDE_ERROR * AreaOf(piece, side) * Thinning(currents.Gradient, side);
+                        : CRUDE_ERROR * AreaOf(piece, side) * Thinning(length(currents.Gradient), side);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
                     AddTube(currents, at.Part, RateTo(receiver, tube, at));
                     isSummed = true;

@@ -44,9 +44,9 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (corners.AreSame)
         return;
-    float2 left = StrengthLeft(corners, cell);
-    cell.Strength = left.x;
-    cell.Bent = left.y;
+    float3 left = StrengthLeft(corners, cell);
+    cell.Strength = max(left.x, _Poses[s_pose].CrossWeight * left.y);
+    cell.Bent = left.z;
     AddBorder(cell);
 }
 

@@ -32,7 +32,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             uint bounce = tube.Path.Bounces - 1, receivers = ReceiversOf(tube, at);
             Sign(tube, receivers);
-            float strength = StrengthAt(tube, at, receivers), weight = WeightAt(tube, at, receivers);
+            float strength = StrengthAt(tube, at, receivers), weight = WeightOf(CrossPartAt(tube, at, receivers));
             bool goesOn = bounce < common
                 && _Corners[corners.Elements.x + min(bounce, common - 1)].Signature == tube.Signature;
             corners.AreSame = corners.AreSame && goesOn;
@@ -43,7 +43,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             }
             if (!goesOn)
             {
-                left = strength * weight
+                left = strength * weight * Thinning(SteepnessAt(tube, receivers), side)
                     * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side));
                 break;
             }
@@ -55,7 +55,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (thin == 0.0 && corners.AreSame && cell.FirstBounce >= common)
         return;
-    left = max(left, StrengthLeft(corners, cell));
+    float3 atCorners = StrengthLeft(corners, cell);
+    left = max(left, float2(max(atCorners.x, _Poses[s_pose].CrossWeight * atCorners.y), atCorners.z));
     cell.Strength = left.x;
     cell.Bent = thin > 0.0 || cell.FirstBounce < common ? MISS : left.y;
     AddBorder(cell);

@@ -32,6 +32,14 @@ struct CornerPosition
 
 static const uint NO_CORNER = 0xffffffff, NEW_CORNERS = 5;
 
+static const float MAX_HALF = 65504.0;
+
+// Bits of a float16 that is not negative; larger numbers are its largest.
+uint HalfOf(float value)
+{
+    return f32tof16(min(value, MAX_HALF));
+}
+
 CornerPosition PositionOf(uint index)
 {
     CornerPosition position;
@@ -100,9 +108,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.Signature = tube.Signature;
         // Of what is hidden from all receivers a part between the corners may be seen, and as strong.
         uint seen = receivers != 0 ? receivers : ReceiversFaced(tube, at);
-        corner.Bounces = f32tof16(WeightAt(tube, at, seen)) << 16;
-        corner.Strength = StrengthAt(tube, at, seen)
-            * float2(1.0, BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin)));
+        corner.Bounces = f32tof16(CrossPartAt(tube, at, seen)) << 16;
+        corner.Strength = StrengthAt(tube, at, seen);
+        corner.Changes = HalfOf(SteepnessAt(tube, seen))
+            | HalfOf(BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin))) << 16;
         corner.Position = float4(tube.Path.Ray.Origin, tube.Path.RelativeLength);
         corner.AlongU = float4(tube.PlaceU, tube.LengthSlope.x);
         corner.AlongV = float4(tube.PlaceV, tube.LengthSlope.y);

@@ -38,7 +38,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint receivers = ReceiversOf(tube, at);
     Sign(tube, receivers);
     if (all(met != tube.Signature))
-        InterlockedMax(_Centres[2 * ray.x + 1], asuint(StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers)));
+    {
+        float strength = StrengthAt(tube, at, receivers) * WeightOf(CrossPartAt(tube, at, receivers));
+        InterlockedMax(_Centres[2 * ray.x + 1], asuint(strength));
+    }
 }
 
 #endif

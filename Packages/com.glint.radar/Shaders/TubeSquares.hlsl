@@ -5,9 +5,8 @@
 
 // Sums a cell whose rays have met the same at a bounce, as one tube.
 
-// Strength at the centre of a square below which that of its corners says nothing about its currents: in theirs, and
-// in m2 a base cell, below which devices may round it to 0.
-static const float MIN_STRENGTH = 1.0e-3, MIN_CURRENTS = 1.0e-30;
+// Strength at the centre of a square below which that of its corners says nothing about its currents: in theirs.
+static const float MIN_STRENGTH = 1.0e-3;
 
 // How much phases that are bent at the corners of a square matter, rad (SquareIntegral): where the phase runs along a side,
 // x half of it over the side, the integral of a curvature's powers falls faster than the square's own.
@@ -68,8 +67,8 @@ void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre, uint recei
     bounce.SlopeU += sides.x * position;
     bounce.SlopeV += sides.y * position;
     bounce.Twist += sides.x * sides.y * position;
-    bounce.Strength += 0.25 * corner.Strength.x * float4(1.0, sides, sides.x * sides.y);
-    bounce.Weight = max(bounce.Weight, WeightOf(corner));
+    bounce.Strength += 0.25 * corner.Strength * float4(1.0, sides, sides.x * sides.y);
+    bounce.Weight = max(bounce.Weight, WeightOf(CrossPartOf(corner)));
 }
 
 // What the rays through the corners have met at a bounce, if it is the same. corners: their elements at it. At a finite

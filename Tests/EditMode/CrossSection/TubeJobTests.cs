@@ -18,11 +18,11 @@ namespace Glint.Tests
                 Frequencies = new[] { 10e9 }
             };
             var job = new TubeJob(pose, new TubeGrid(pose, 0.03, new double3(-0.15, -0.1, 0), new double3(0.15, 0.1, 0)));
-            job.Begin(0.1);
+            job.Begin(0.1, 0.1);
             Assert.That(job.GiveUp(), Is.False, "nothing is found yet");
             Assert.That(job.IsDone, Is.False);
             var result = job.End();
-            job.Begin(0.01);
+            job.Begin(0.01, 0.01);
             Assert.That(job.GiveUp());
             Assert.That((job.IsDone, job.Left, job.Result, job.Result.CellError), Is.EqualTo((true, 0L, result, 0.1)));
         }

@@ -51,7 +51,7 @@ namespace Glint.Tests
             };
             var corner = new TubeCorner
             {
-                Signature = 85, Bounces = 86, Strength = float2(87, 88), Position = float4(89, 90, 91, 92),
+                Signature = 85, Bounces = 86, Strength = 87, Changes = 88, Position = float4(89, 90, 91, 92),
                 AlongU = float4(93, 94, 95, 96), AlongV = float4(97, 98, 99, 100)
             };
             Unity.Mathematics.float4 Row(float first) => float4(first, first + 1, first + 2, first + 3);
@@ -65,7 +65,7 @@ namespace Glint.Tests
             };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
                 || field == 48 || field == 52 || field == 72 || field == 76 || field == 80
-                || field >= 81 && field <= 86 || field >= 145 && field <= 152 || field == 155 || field >= 159;
+                || field >= 81 && field <= 86 || field == 88 || field >= 145 && field <= 152 || field == 155 || field >= 159;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);

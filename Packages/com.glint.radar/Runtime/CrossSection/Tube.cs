@@ -20,7 +20,8 @@ namespace Glint
     struct TubeCorner
     {
         public uint Signature, Bounces;
-        public float2 Strength;
+        public float Strength;
+        public uint Changes;
         public float4 Position, AlongU, AlongV;
     }
 
