@@ -119,12 +119,86 @@ namespace Glint.Tests
         {
             SetPlate();
             (_radar.Azimuths, _radar.HasEdges, _radar.ToleranceDb) = ("30", false, 0.02);
-            (_radar.IsBistatic, _radar.ReceiverAzimuth) = (true, -30);
+            (_radar.Receiver, _radar.ReceiverAzimuth) = (CrossSectionReceiver.Fixed, -30);
             _radar.enabled = true;
             yield return Finish();
             double area = Width * Height / Wavelength * Math.Cos(Math.PI / 6);
             Assert.That(Dbsm(_radar.Rows.Single().S.VV),
                 Is.EqualTo(10 * Math.Log10(4 * Math.PI * area * area)).Within(0.05));
+        }
+
+        /// <summary>
+        /// Receivers have the elevation of the radar. Over the width of a vertical plate all phases are equal for the one
+        /// in the mirror azimuth, which gets most.
+        /// </summary>
+        [UnityTest]
+        public IEnumerator Play_SweepOfReceivers_HasItsMaximumInTheMirrorAzimuth()
+        {
+            SetPlate();
+            (_radar.Azimuths, _radar.Elevations, _radar.HasEdges, _radar.ToleranceDb) = ("30", "20", false, 0.02);
+            (_radar.Receiver, _radar.ReceiverAzimuths) = (CrossSectionReceiver.Sweep, "-60:60:10");
+            _radar.enabled = true;
+            yield return Finish();
+            var largest = _radar.Rows.OrderByDescending(row => row.S.VV.Magnitude).First().Planned;
+            Assert.That(_radar.Rows.Select(row => row.Planned.ReceiverElevationDegrees), Is.All.EqualTo(20));
+            Assert.That((_radar.Rows.Count, largest.ReceiverAzimuthDegrees), Is.EqualTo((13, -30)));
+        }
+
+        /// <summary>
+        /// At a range R each place of a plate, seen square from a distance r, adds cos(angle) (R / r)^2
+        /// exp(-2 j k (r - R)) to physical optics, up to the polarisation, which is within 4 degrees of V.
+        /// </summary>
+        [UnityTest]
+        public IEnumerator Play_APlateAtARange_HasTheSumOverItsPlaces()
+        {
+            const double Range = 2;
+            SetPlate();
+            (_radar.Azimuths, _radar.HasEdges, _radar.ToleranceDb, _radar.Range) = ("0", false, 0.02, Range);
+            _radar.enabled = true;
+            yield return Finish();
+            var sum = Complex.Zero;
+            const int Across = 150, Down = 100;
+            for (int i = 0; i < Across; i++)
+                for (int j = 0; j < Down; j++)
+                {
+                    double x = Width * ((i + 0.5) / Across - 0.5), y = Height * ((j + 0.5) / Down - 0.5);
+                    double distance = Math.Sqrt(Range * Range + x * x + y * y), cosine = Range / distance;
+                    sum += cosine * Math.Pow(Range / distance, 2)
+                        * Complex.Exp(new Complex(0, -4 * Math.PI / Wavelength * (distance - Range)));
+                }
+            double s = 2 * Math.Sqrt(Math.PI) * Width * Height / Wavelength * sum.Magnitude / (Across * Down);
+            Assert.That(Dbsm(_radar.Rows.Single().S.VV), Is.EqualTo(Dbsm(s)).Within(0.05));
+            double farField = 10 * Math.Log10(4 * Math.PI * Math.Pow(Width * Height / Wavelength, 2));
+            Assert.That(Dbsm(s), Is.LessThan(farField - 0.5), "the range makes a difference");
+        }
+
+        /// <summary>A trace has up to 16 receivers.</summary>
+        [UnityTest]
+        public IEnumerator Play_ManyReceivers_ComputesATraceAFrame()
+        {
+            (_radar.Azimuths, _radar.ToleranceDb) = ("0,30", 1);
+            (_radar.Receiver, _radar.ReceiverAzimuths) = (CrossSectionReceiver.Sweep, "0:90:5");
+            _radar.enabled = true;
+            var perFrame = new List<int>();
+            do
+            {
+                yield return null;
+                perFrame.Add(_radar.Rows.Count);
+            }
+            while (_radar.IsRunning && perFrame.Count < MaxFrames);
+            Assert.That(perFrame.Distinct().Where(count => count > 0), Is.EqualTo(new[] { 16, 19, 35, 38 }));
+        }
+
+        [UnityTest]
+        public IEnumerator Play_AReceiverBehindTheTarget_WarnsThatItIsOutsidePhysicalOptics()
+        {
+            (_radar.Azimuths, _radar.ToleranceDb) = ("0", 1);
+            (_radar.Receiver, _radar.ReceiverAzimuths) = (CrossSectionReceiver.Sweep, "0,150");
+            LogAssert.Expect(LogType.Warning, new Regex("^RadarCrossSection of 'Cross Section': 1 of 2 rows are outside "
+                + "physical optics, with radar and receiver more than 120 degrees apart"));
+            _radar.enabled = true;
+            yield return Finish();
+            Assert.That(_radar.Rows.Count, Is.EqualTo(2));
         }
 
         [UnityTest]
@@ -217,8 +291,23 @@ namespace Glint.Tests
                 ["bounces"] = (it => it.MaxBounces = 0, "its number of bounces is 0: it must be from 1"),
                 ["crease angle"] = (it => it.CreaseDegrees = 91,
                     "its crease angle is 91 degrees: it must be from 0 to 90"),
-                ["receiver"] = (it => (it.IsBistatic, it.ReceiverElevation) = (true, -91),
+                ["receiver"] = (
+                    it => (it.Receiver, it.ReceiverElevation) = (CrossSectionReceiver.Fixed, -91),
                     "its receiver elevation is -91 degrees: it must be from -90 to 90"),
+                ["receivers"] = (
+                    it => (it.Receiver, it.ReceiverAzimuths) = (CrossSectionReceiver.Sweep, "0:400:10"),
+                    "receiver azimuths 0:400:10: each azimuth must be from -360 to 360 degrees"),
+                ["no receivers"] = (
+                    it => (it.Receiver, it.ReceiverAzimuths) = (CrossSectionReceiver.Sweep, ""),
+                    "receiver azimuths \"\": no azimuths: give FROM:TO:STEP"),
+                ["receivers at two elevations"] = (
+                    it => (it.Receiver, it.Elevations) = (CrossSectionReceiver.Sweep, "0,10"),
+                    "there are 2 elevations, and the receivers have that of the radar: give one elevation"),
+                ["range below 0"] = (it => it.Range = -3,
+                    "its range is -3 m: it must be from 1e-6 to 1e6, or 0 for a plane wave and the far field"),
+                ["range without a value"] = (it => it.Range = double.NaN, "its range is NaN m: it must be from"),
+                ["range inside of the target"] = (it => it.Range = 0.1,
+                    "a range of 0.1 m is inside of it: its farthest corner is"),
                 ["no kernel"] = (it => it.Kernel = null,
                     "has no kernel: assign Packages/com.glint.radar/Shaders/Tubes.compute"),
                 ["another kernel"] = (
@@ -239,6 +328,7 @@ namespace Glint.Tests
             _radar.enabled = true;
             yield return null;
             Assert.That(_radar.Problem, Does.Contain(message));
+            Assert.That(Regex.Matches(_radar.Problem, _radar.Subject).Count, Is.EqualTo(1), "names itself once");
             Assert.That((_radar.IsRunning, _radar.Rows.Count), Is.EqualTo((false, 0)));
             Assert.That(Directory.Exists(_folder), Is.False);
         }

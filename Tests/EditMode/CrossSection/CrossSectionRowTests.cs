@@ -27,6 +27,29 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Plan_OfReceivers_HasThemAtTheElevationOfTheRadar()
+        {
+            double[] azimuths = { 0, 90 }, frequencies = { 1e9 }, receivers = { 20, 30 };
+            var plan = CrossSectionPlan.OfReceivers(azimuths, new double[] { 7 }, frequencies, receivers);
+            Assert.That(Enumerable.Range(0, plan.Count).Select(row =>
+                    (plan[row].AzimuthDegrees, plan[row].ReceiverAzimuthDegrees, plan[row].ReceiverElevationDegrees)),
+                Is.EqualTo(new (double, double?, double?)[] { (0, 20, 7), (0, 30, 7), (90, 20, 7), (90, 30, 7) }));
+            Assert.That(() => CrossSectionPlan.OfReceivers(azimuths, new double[] { 0, 5, 10 }, frequencies, receivers),
+                Throws.TypeOf<UsageException>().With.Message.EqualTo("there are 3 elevations, and the receivers have "
+                    + "that of the radar: give one elevation"));
+        }
+
+        [TestCase(1, 1, false)]
+        [TestCase(2, 1, true)]
+        [TestCase(3, 3, true)]
+        [TestCase(2, 3, false)]
+        public void Plan_IsASweepOfReceivers_WithAsManyAsDirections(int receivers, int azimuths, bool isSweep) =>
+            Assert.That(CrossSectionPlan.OfReceivers(Enumerable.Range(0, azimuths).Select(i => (double)i).ToArray(),
+                    new double[] { 0 }, new[] { 1e9, 2e9, 3e9, 4e9 },
+                    Enumerable.Range(0, receivers).Select(i => (double)i).ToArray()).IsReceiverSweep,
+                Is.EqualTo(isSweep));
+
+        [Test]
         public void Plan_IsReadBackFromAnIdentity()
         {
             foreach (var plan in new[]

@@ -32,6 +32,10 @@ namespace Glint.Tests
             Assert.That(Findings(), Is.Empty);
             Assert.That(_check.Figures().Select(row => row.value),
                 Is.EqualTo(new[] { "24", "2 triangles, 1 objects, radius 0.1803 m", "-49.91 dBsm" }));
+            (_radar.Elevations, _radar.Receiver) = ("10", CrossSectionReceiver.Sweep);
+            _radar.ReceiverAzimuths = "0:90:10";
+            _check.Update();
+            Assert.That(_check.Figures().First().value, Is.EqualTo("80"), "with every receiver");
             _radar.FloorDbsm = -30;
             _check.Update();
             Assert.That(_check.Figures().Last().value, Is.EqualTo("-30.00 dBsm"));
@@ -92,6 +96,15 @@ namespace Glint.Tests
                 // 4 pi (0.06 / 0.03)^2 is 17 dBsm.
                 Assert.That(rows[0].value, Does.Match(@"^1[67]\.[0-9]{2} dBsm at azimuth 0 deg, elevation 0 deg, "));
                 Assert.That(rows[2].value, Does.EndWith("dB, tolerance met in 2 of 2 rows"));
+
+                (_radar.Azimuths, _radar.Receiver) = ("0", CrossSectionReceiver.Sweep);
+                _radar.ReceiverAzimuths = "0,125,150";
+                _radar.Run();
+                while (_radar.IsRunning)
+                    _radar.Step();
+                rows = CrossSectionCheck.Results(_radar).ToArray();
+                Assert.That(rows[0].value, Does.Contain("azimuth 0 deg").And.EndWith("received at 0 deg, 0 deg"));
+                Assert.That((rows[3].label, rows[3].value), Is.EqualTo(("Outside physical optics", "2 of 3 rows")));
             }
             finally
             {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
@@ -75,7 +76,7 @@ namespace Glint.Tests
         public void WholeTurn_IsAGapOfNoMoreThanAStep(double from, double to, double step, bool isWhole)
         {
             double[] azimuths = CrossSectionRanges.Azimuths.Read(
-                System.FormattableString.Invariant($"{from}:{to}:{step}"));
+                FormattableString.Invariant($"{from}:{to}:{step}"));
             Assert.That(new PolarPlot(SampleRows.Of(azimuths, azimuth => 0, azimuth => 0)).IsWholeTurn,
                 Is.EqualTo(isWhole));
         }
@@ -100,6 +101,58 @@ namespace Glint.Tests
             Assert.That(curve.Points[1].Y, Is.EqualTo(1));
         }
 
+        // The amplitudes of sample rows are those of the radar's azimuth.
+        [Test]
+        public void Rows_OfSeveralReceivers_AreShownOverThemForTheLastRadar()
+        {
+            var plan = CrossSectionPlan.OfReceivers(new double[] { 20, 10 }, new double[] { 5 }, new[] { 9e9, 10e9 },
+                new double[] { 90, -30, 0 });
+            var plot = new PolarPlot(SampleRows.Of(plan, azimuth => azimuth, azimuth => 0), true);
+            Assert.That((plot.Title, plot.OtherAzimuth), Is.EqualTo(("dBsm, elevation 5°, 10 GHz", 10)));
+            Assert.That(plot.Notes, Is.EqualTo(new[] { "over receivers", "radar at 10°" }));
+            Assert.That(plot.Curves[0].Points.Select(point => plot.AzimuthOf(point)),
+                Is.EqualTo(new double[] { -30, 0, 90 }).Within(1e-9), "in the order of azimuths");
+            Assert.That(plot.Levels.Max, Is.EqualTo(10), "not those of the radar at 20");
+        }
+
+        [Test]
+        public void Rows_OfFewReceivers_AreShownOverAzimuthForTheLastOne()
+        {
+            var plan = CrossSectionPlan.OfReceivers(s_right, new double[] { 5 }, new[] { 10e9 },
+                new double[] { 0, 40 });
+            var plot = new PolarPlot(SampleRows.Of(plan, azimuth => 0, azimuth => 0));
+            Assert.That(plot.OtherAzimuth, Is.EqualTo(40));
+            Assert.That(plot.Notes, Is.EqualTo(new[] { "receiver at 40°", "elevation 5°" }));
+            Assert.That(plot.Curves[0].Points.Select(point => plot.AzimuthOf(point)), Is.EqualTo(s_right));
+        }
+
+        // Both are between spokes.
+        [Test]
+        public void Draw_OfReceivers_MarksTheDirectionOfTheRadarOrTheReceiver()
+        {
+            var plan = CrossSectionPlan.OfReceivers(new double[] { 105 }, new double[] { 5 }, new[] { 10e9 },
+                new double[] { 15, 255 });
+            var rows = SampleRows.Of(plan, azimuth => 10, azimuth => 0);
+            Color32 mark = ChartColours.Light.Mark;
+            foreach (bool isOverReceivers in new[] { true, false })
+            {
+                var plot = new PolarPlot(rows, isOverReceivers);
+                var drawing = new PolarDrawing(plot, s_area);
+                var raster = new Raster((int)s_area.width, (int)s_area.height, 1);
+                drawing.Draw(raster, ChartColours.Light);
+                double radius = RimOf(drawing) / 2, azimuth = Math.PI / 180 * (isOverReceivers ? 105 : 255);
+                Assert.That(Shows(raster, 200 + (int)(radius * Math.Sin(azimuth)),
+                    160 - (int)(radius * Math.Cos(azimuth)), mark), Is.True, $"{isOverReceivers}");
+                Assert.That(Shows(raster, 200 - (int)(radius * 0.866), 160 - (int)radius / 2, mark), Is.False);
+                var texts = drawing.Texts().ToArray();
+                AssertWhole(texts);
+                Assert.That(texts.Select(text => text.Text), Is.SupersetOf(plot.Notes));
+                foreach (var note in texts.Where(text => plot.Notes.Contains(text.Text)))
+                    Assert.That(texts.Where(text => BoxOf(text).Overlaps(BoxOf(note))).Select(text => text.Text),
+                        Is.EqualTo(new[] { note.Text }), "over no other text");
+            }
+        }
+
         [Test]
         public void Path_OfVeryManyRows_IsShortAndKeepsThePeak()
         {
@@ -122,14 +175,7 @@ namespace Glint.Tests
                 "0°", "30°", "60°", "90°", "120°", "150°", "180°", "210°", "240°", "270°", "300°", "330°",
                 "0", "5", "10", "15", "20", "dBsm, elevation 0°, 10 GHz", "VV", "HH"
             }));
-            // Each is whole inside the rectangle.
-            foreach (var text in texts)
-            {
-                var size = StrokeFont.SizeOf(text.Text, ChartPicture.TickSize);
-                var corner = text.Position - Vector2.Scale(text.Anchor, size);
-                Assert.That(corner.x >= 0 && corner.y >= -1 && corner.x + size.x <= s_area.width
-                    && corner.y + size.y <= s_area.height + 1, $"{text.Text} at {corner}");
-            }
+            AssertWhole(texts);
             // The ring of 10 dBsm is half way up.
             Assert.That(s_area.center.y - texts.Single(text => text.Text == "10").Position.y,
                 Is.EqualTo(RimOf(new PolarDrawing(plot, s_area)) / 2).Within(1e-3));
@@ -154,6 +200,23 @@ namespace Glint.Tests
 
         static bool Shows(Raster raster, int x, int y, Color32 colour) => Enumerable.Range(-4, 9).Any(across =>
             Enumerable.Range(-4, 9).Any(down => raster[x + across, y + down].Equals(colour)));
+
+        // Each is whole inside the rectangle.
+        static void AssertWhole(IEnumerable<ChartText> texts)
+        {
+            foreach (var text in texts)
+            {
+                var box = BoxOf(text);
+                Assert.That(box.xMin >= 0 && box.yMin >= -1 && box.xMax <= s_area.width
+                    && box.yMax <= s_area.height + 1, $"{text.Text} at {box}");
+            }
+        }
+
+        static Rect BoxOf(ChartText text)
+        {
+            var size = StrokeFont.SizeOf(text.Text, ChartPicture.TickSize);
+            return new Rect(text.Position - Vector2.Scale(text.Anchor, size), size);
+        }
 
         // Radius of the outermost ring.
         static float RimOf(PolarDrawing drawing)

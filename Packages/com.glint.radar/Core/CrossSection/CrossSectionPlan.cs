@@ -42,6 +42,18 @@ namespace Glint.Core
         {
         }
 
+        /// <summary>A plan of receivers at the elevation of the radar.</summary>
+        /// <exception cref="UsageException">
+        /// The radar has several elevations, a frequency is given twice, or there are more than
+        /// <see cref="Limit"/> rows.
+        /// </exception>
+        /// <inheritdoc cref="CrossSectionPlan(double[], double[], double[], double[], double, PulseTrain)"/>
+        public static CrossSectionPlan OfReceivers(double[] azimuths, double[] elevations, double[] frequencies,
+            double[] receiverAzimuths, PulseTrain pulses = null) => elevations.Length == 1
+                ? new CrossSectionPlan(azimuths, elevations, frequencies, receiverAzimuths, elevations[0], pulses)
+                : throw new UsageException($"there are {elevations.Length} elevations, and the receivers have that of "
+                    + "the radar: give one elevation");
+
         CrossSectionPlan(double[] azimuths, double[] elevations, double[] frequencies, double[] receiverAzimuths,
             double receiverElevation, PulseTrain pulses, RadarTrack track)
         {
@@ -74,6 +86,9 @@ namespace Glint.Core
 
         /// <summary>Whether receivers are apart from the radar.</summary>
         public bool IsBistatic => _receiverAzimuths != null;
+
+        /// <summary>Whether there are several receivers, and no fewer than directions of the radar.</summary>
+        public bool IsReceiverSweep => Receivers > 1 && Receivers >= Poses;
 
         /// <summary>The pulses of each direction; null: the scene stands still.</summary>
         public PulseTrain Pulses { get; }

@@ -123,7 +123,7 @@ namespace Glint.Editor
                 progress.Print(run.IsComplete
                     ? "already complete: nothing to do"
                     : FormattableString.Invariant($"resumed: {before} of {run.Count} rows are done"));
-            var unmet = new UnmetRows();
+            var warnings = new RowWarnings();
             progress.Start(name, run.Count);
             try
             {
@@ -134,7 +134,7 @@ namespace Glint.Editor
                     var row = run.Step(progress, progress.Cancel);
                     if (run.Done == before + 1 && lines != null)
                         progress.Print(lines.Header);
-                    unmet.Add(row);
+                    warnings.Add(row);
                     comparison.Add(row);
                     string text = lines?.Add(row);
                     if (text != null)
@@ -153,37 +153,12 @@ namespace Glint.Editor
             }
             if (!run.IsComplete)
                 return Batch.Cancelled;
-            unmet.Warn(name, setup.ToleranceDb, run.Count - before);
+            foreach (string warning in warnings.Of(name, setup.ToleranceDb,
+                $"{CrossSectionOptions.Tolerance.Flag} or {CrossSectionOptions.Floor.Flag}"))
+                Debug.LogWarning(warning);
             if (run.Done > before)
                 progress.Print($"written: {string.Join(", ", folder.WrittenPaths)}");
             return Batch.Done;
-        }
-
-        // Rows whose error remained above the tolerance.
-        sealed class UnmetRows
-        {
-            CrossSectionRow _worst;
-            int _count, _outside;
-
-            public void Add(CrossSectionRow row)
-            {
-                _outside += row.IsOutsidePhysicalOptics ? 1 : 0;
-                if (row.MeetsTolerance)
-                    return;
-                _count++;
-                if (_worst == null || row.Accuracy.ErrorDb > _worst.Accuracy.ErrorDb)
-                    _worst = row;
-            }
-
-            public void Warn(string name, double toleranceDb, int rows)
-            {
-                if (_count > 0)
-                    Debug.LogWarning(FormattableString.Invariant(
-                        $"{name}: the tolerance of {toleranceDb:g4} dB was not met in {_count} of {rows} rows (column tolerance_met): the largest standard error reached is {_worst.Accuracy.ErrorDb:g3} dB, at {_worst}; accept it, or ask for a larger {CrossSectionOptions.Tolerance.Flag} or {CrossSectionOptions.Floor.Flag}"));
-                if (_outside > 0)
-                    Debug.LogWarning(FormattableString.Invariant(
-                        $"{name}: {_outside} of {rows} rows are outside physical optics, with radar and receiver more than {CrossSectionRow.MaxBistaticDegrees:0} degrees apart (column outside_physical_optics)"));
-            }
         }
     }
 

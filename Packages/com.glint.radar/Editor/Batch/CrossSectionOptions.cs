@@ -162,10 +162,7 @@ namespace Glint.Editor
                     : throw new UsageException($"{EchoOptions.Track.Flag}: its middle has one azimuth and one elevation: "
                         + $"give one for {Azimuth.Flag} and for {Elevation.Flag}");
             else if (line.Get(Receivers) is double[] receivers)
-                plan = elevations.Length == 1
-                    ? new CrossSectionPlan(azimuths, elevations, frequencies, receivers, elevations[0], pulses)
-                    : throw new UsageException($"{Elevation.Flag}: has {elevations.Length} values: give one with "
-                        + $"{Receivers.Flag}, whose receivers have the same elevation");
+                plan = CrossSectionPlan.OfReceivers(azimuths, elevations, frequencies, receivers, pulses);
             else if (line.Get(Bistatic) is double2 receiver)
                 plan = new CrossSectionPlan(azimuths, elevations, frequencies, new[] { receiver.x }, receiver.y,
                     pulses);

@@ -47,7 +47,7 @@ namespace Glint.Editor
             if (Setup == null)
                 yield break;
             yield return ("Rows", FormattableString.Invariant($"{Setup.Plan.Count:N0}"),
-                "Every azimuth with every elevation and frequency.");
+                "Every azimuth with every elevation, frequency and receiver.");
             yield return ("Target", FormattableString.Invariant(
                     $"{Setup.Scene.TriangleCount:N0} triangles, {Setup.Objects:N0} objects, radius {Setup.Radius:g4} m"),
                 "What is traced, and the radius of the sphere around it.");
@@ -71,6 +71,12 @@ namespace Glint.Editor
             yield return ("Largest error", FormattableString.Invariant(
                     $"{radar.Rows.Max(row => row.Accuracy.ErrorDb):0.000} dB, tolerance met in {radar.Rows.Count(row => row.MeetsTolerance):N0} of {radar.Rows.Count:N0} rows"),
                 "Standard error of the integration, not of physical optics.");
+            int outside = radar.Rows.Count(row => row.IsOutsidePhysicalOptics);
+            if (outside > 0)
+                yield return ("Outside physical optics", FormattableString.Invariant(
+                        $"{outside:N0} of {radar.Rows.Count:N0} rows"),
+                    FormattableString.Invariant(
+                        $"Radar and receiver are more than {CrossSectionRow.MaxBistaticDegrees:0} degrees apart, outside the forward lobe: column outside_physical_optics."));
         }
 
         void Attempt(Action look, Func<Fix> fix = null)

@@ -34,6 +34,9 @@ namespace Glint.Editor
             foreach (var (position, label) in _plot.Levels.Ticks)
                 yield return Label(label, At(0, position) + LabelGap / 2 * Vector2.right, new Vector2(0, 0.5f));
             yield return Label(_plot.Title, _area.min, Vector2.zero);
+            for (int i = 0; i < _plot.Notes.Count; i++)
+                yield return Label(_plot.Notes[i],
+                    new Vector2(_area.xMax, _area.yMax - KeyRow * (_plot.Notes.Count - i - 0.5f)), new Vector2(1, 0.5f));
             for (int i = 0; i < _plot.Curves.Count; i++)
                 yield return Label(_plot.Curves[i].Name, KeyOf(i) + (KeyLength + LabelGap) * Vector2.right,
                     new Vector2(0, 0.5f));
@@ -46,6 +49,8 @@ namespace Glint.Editor
                     .Select(i => At(360.0 * i / CornersOfRing, position)).ToArray(), true, 1, colours.Grid);
             for (int azimuth = 0; azimuth < 360; azimuth += DegreesOfSpoke)
                 canvas.Line(new[] { Centre, At(azimuth, 1) }, false, 1, colours.Grid);
+            if (_plot.OtherAzimuth is double other)
+                canvas.Line(new[] { Centre, At(other, 1) }, false, 1.5f, colours.Mark);
             for (int i = 0; i < _plot.Curves.Count; i++)
             {
                 var (curve, colour) = (_plot.Curves[i], colours.Line(i));

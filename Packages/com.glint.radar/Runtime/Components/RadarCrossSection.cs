@@ -1,9 +1,9 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using System.Threading;
 using Glint.Core;
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace Glint
 {
@@ -36,14 +36,23 @@ namespace Glint
             + "hh, with commas. V is the radar's up, H its right.")]
         string _polarisations = "vv,hh";
 
-        [SerializeField, Tooltip("The radar sends, and a receiver in a fixed direction receives.")]
-        bool _isBistatic;
+        [SerializeField, FormerlySerializedAs("_isBistatic"), Tooltip("Radar: what sends also receives. Fixed: one "
+            + "receiver in a fixed direction. Sweep: receivers at the elevation of the radar.")]
+        CrossSectionReceiver _receiver;
 
         [SerializeField, Tooltip("Azimuth of the fixed receiver, degrees.")]
         double _receiverAzimuth;
 
         [SerializeField, Tooltip("Elevation of the fixed receiver, degrees.")]
         double _receiverElevation;
+
+        [SerializeField, Tooltip("Azimuths of the receivers of a sweep, degrees: a range or list. They are at the "
+            + "elevation of the radar, which then has one.")]
+        string _receiverAzimuths = "0:180:5";
+
+        [SerializeField, Tooltip("Metres from the centre of the target's box to radar and receivers, for a spherical "
+            + "wave. 0: a plane wave and the far field.")]
+        double _range;
 
         [SerializeField, Tooltip("The error asked for, decibels: 95 % of the amplitudes are within it. It is the error "
             + "of the integration, not of physical optics.")]
@@ -79,7 +88,6 @@ namespace Glint
         readonly LogProgress _progress = new LogProgress();
         readonly List<CrossSectionRow> _rows = new List<CrossSectionRow>();
         CrossSectionRun _run;
-        int _rowsOfDirection;
 
         /// <summary>The object, with all below it; null: everything in the loaded scenes.</summary>
         public Transform Target { get => _target; set => _target = value; }
@@ -96,14 +104,20 @@ namespace Glint
         /// <summary>Elements of the scattering matrix: all, or names with commas.</summary>
         public string Polarisations { get => _polarisations; set => _polarisations = value; }
 
-        /// <summary>Whether a receiver in a fixed direction receives; otherwise the radar does.</summary>
-        public bool IsBistatic { get => _isBistatic; set => _isBistatic = value; }
+        /// <summary>What receives.</summary>
+        public CrossSectionReceiver Receiver { get => _receiver; set => _receiver = value; }
 
         /// <summary>Direction of the fixed receiver, degrees.</summary>
         public double ReceiverAzimuth { get => _receiverAzimuth; set => _receiverAzimuth = value; }
 
         /// <inheritdoc cref="ReceiverAzimuth"/>
         public double ReceiverElevation { get => _receiverElevation; set => _receiverElevation = value; }
+
+        /// <summary>Azimuths of the receivers of a sweep, degrees: FROM:TO:STEP or a list with commas.</summary>
+        public string ReceiverAzimuths { get => _receiverAzimuths; set => _receiverAzimuths = value; }
+
+        /// <summary>Metres from the phase centre to radar and receivers; 0: a plane wave and the far field.</summary>
+        public double Range { get => _range; set => _range = value; }
 
         /// <summary>The error asked for, decibels.</summary>
         public double ToleranceDb { get => _tolerance; set => _tolerance = value; }
@@ -144,8 +158,11 @@ namespace Glint
         /// <summary>True from <see cref="Run"/> until all rows are written.</summary>
         public bool IsRunning => _run != null;
 
+        /// <summary>The rows of the run last begun; null before it.</summary>
+        public CrossSectionPlan RunPlan { get; private set; }
+
         /// <summary>Rows that the run last begun has in the end; 0 before it.</summary>
-        public int RowCount { get; private set; }
+        public int RowCount => RunPlan?.Count ?? 0;
 
         /// <summary>The rows of this run so far; they stay after its end.</summary>
         public IReadOnlyList<CrossSectionRow> Rows => _rows;
@@ -167,16 +184,27 @@ namespace Glint
         {
             double[] azimuths = Read(CrossSectionRanges.Azimuths.Read, _azimuths, "azimuths"),
                 elevations = Read(CrossSectionRanges.Elevations.Read, _elevations, "elevations"),
-                frequencies = Read(SweepAxis.Frequency.List.Read, _frequencies, "frequencies");
-            if (_isBistatic)
+                frequencies = Read(SweepAxis.Frequency.List.Read, _frequencies, "frequencies"),
+                receivers = _receiver == CrossSectionReceiver.Sweep
+                    ? Read(CrossSectionRanges.Azimuths.Read, _receiverAzimuths, "receiver azimuths")
+                    : null;
+            if (_receiver == CrossSectionReceiver.Fixed)
             {
                 Require("receiver azimuth", _receiverAzimuth, CrossSectionRanges.Azimuth, "degrees");
                 Require("receiver elevation", _receiverElevation, CrossSectionRanges.Elevation, "degrees");
             }
             try
             {
-                return new CrossSectionPlan(azimuths, elevations, frequencies,
-                    _isBistatic ? new[] { _receiverAzimuth } : null, _receiverElevation);
+                switch (_receiver)
+                {
+                    case CrossSectionReceiver.Fixed:
+                        return new CrossSectionPlan(azimuths, elevations, frequencies, new[] { _receiverAzimuth },
+                            _receiverElevation);
+                    case CrossSectionReceiver.Sweep:
+                        return CrossSectionPlan.OfReceivers(azimuths, elevations, frequencies, receivers);
+                    default:
+                        return new CrossSectionPlan(azimuths, elevations, frequencies);
+                }
             }
             catch (UsageException problem)
             {
@@ -196,6 +224,8 @@ namespace Glint
             Require("tolerance", _tolerance, CrossSectionRanges.Tolerance, "dB");
             Require("crease angle", _creaseAngle, CrossSectionRanges.Crease, "degrees");
             Require("number of bounces", _maxBounces, Interval.Closed(1, RadarSettings.BounceLimit), "");
+            if (_range != 0)
+                Require("range", _range, SweepAxis.Range.List.Range, "m", ", or 0 for a plane wave and the far field");
             if (_setFloor)
                 Require("floor", _floor, CrossSectionRanges.Level, "dBsm");
             var scene = gatherer.Gather(~0, _target == null ? new Transform[0] : new[] { _target }, null);
@@ -204,6 +234,7 @@ namespace Glint
             var setup = new CrossSectionSetup(scene, plan) { Subject = Subject, Polarisations = polarisations };
             (setup.ToleranceDb, setup.GivenFloorDbsm, setup.CreaseDegrees) = (_tolerance, FloorDbsm, _creaseAngle);
             (setup.MaxBounces, setup.HasEdges, setup.PhaseCentre) = (_maxBounces, _edges, setup.BoxCentre);
+            setup.Range = _range == 0 ? double.PositiveInfinity : _range;
             string path = gameObject.scene.path;
             (setup.ScenePath, setup.Objects) = (string.IsNullOrEmpty(path) ? null : path, gatherer.ObjectCount);
             return setup;
@@ -219,15 +250,17 @@ namespace Glint
         public void Cancel() => End();
 
         /// <summary>
-        /// Computes the rows of the next direction, and writes them. After the last one it writes the other files.
-        /// Without a run it does nothing.
+        /// Computes the rows of the next direction, or of its next 16 receivers if it has more, and writes them. After
+        /// the last ones it writes the other files. Without a run it does nothing.
         /// </summary>
         /// <param name="progress">Receives the fraction of the trace done, 0 to 1; may be null.</param>
         /// <param name="cancel">Ends the run.</param>
         public void Step(IProgress<double> progress = null, CancellationToken cancel = default) => Attempt(() =>
         {
+            if (!IsRunning)
+                return;
             // A listener may end the run.
-            for (int end = _rows.Count + _rowsOfDirection; IsRunning && _rows.Count < end;)
+            for (int end = _rows.Count + RowsOfStep; IsRunning && _rows.Count < end;)
             {
                 var row = _run.Step(progress, cancel);
                 bool isComplete = _run.IsComplete;
@@ -237,7 +270,7 @@ namespace Glint
                 if (!isComplete)
                     continue;
                 End();
-                WarnOfUnmetRows();
+                Warn();
             }
         });
 
@@ -262,7 +295,7 @@ namespace Glint
         void Begin()
         {
             End();
-            (Problem, RowCount, ResultsPath) = (null, 0, null);
+            (Problem, RunPlan, ResultsPath) = (null, null, null);
             _rows.Clear();
             if (!isActiveAndEnabled)
                 throw new GlintException(SceneSearch.IsDisabled(this));
@@ -285,8 +318,7 @@ namespace Glint
             }
             foreach (string warning in setup.Warnings(Subject))
                 Debug.LogWarning(warning, this);
-            (RowCount, ResultsPath) = (setup.Plan.Count, folder.FolderPath);
-            _rowsOfDirection = setup.Plan.Count / setup.Plan.Poses;
+            (RunPlan, ResultsPath) = (setup.Plan, folder.FolderPath);
             _progress.Start(SceneName, RowCount);
         }
 
@@ -296,13 +328,18 @@ namespace Glint
             _run = null;
         }
 
-        void WarnOfUnmetRows()
+        // Receivers of several traces would take long for one frame.
+        int RowsOfStep => RunPlan.Receivers > TubeKernels.MaxReceivers
+            ? Math.Min(TubeKernels.MaxReceivers, RunPlan.Receivers - _rows.Count % RunPlan.Receivers)
+            : RunPlan.Count / RunPlan.Poses;
+
+        void Warn()
         {
-            int unmet = _rows.Count(row => !row.MeetsTolerance);
-            if (unmet > 0)
-                Debug.LogWarning(FormattableString.Invariant(
-                    $"{Subject}: the tolerance of {_tolerance:g4} dB was not met in {unmet} of {_rows.Count} rows (column tolerance_met): accept it, or ask for a larger tolerance or floor"),
-                    this);
+            var warnings = new RowWarnings();
+            foreach (var row in _rows)
+                warnings.Add(row);
+            foreach (string warning in warnings.Of(Subject, _tolerance, "tolerance or floor"))
+                Debug.LogWarning(warning, this);
         }
 
         string HasNoMesh => Subject
@@ -311,11 +348,11 @@ namespace Glint
 
         T Read<T>(Func<string, T> read, string text, string field) => Values.Parse(read, text, $"{Subject}: {field}");
 
-        void Require(string field, double value, Interval range, string unit)
+        void Require(string field, double value, Interval range, string unit, string otherwise = "")
         {
             if (!range.Contains(value))
                 throw new GlintException(FormattableString.Invariant(
-                    $"{Subject}: its {field} is {value:R} {unit}").TrimEnd() + $": it must be {range}");
+                    $"{Subject}: its {field} is {value:R} {unit}").TrimEnd() + $": it must be {range}{otherwise}");
         }
 
         // A run that cannot continue reports why and ends; its rows are kept.
@@ -342,5 +379,18 @@ namespace Glint
                 Debug.LogException(fault, this);
             }
         }
+    }
+
+    /// <summary>What receives, for a <see cref="RadarCrossSection"/>. Stored as numbers.</summary>
+    public enum CrossSectionReceiver
+    {
+        /// <summary>The radar.</summary>
+        Radar = 0,
+
+        /// <summary>One receiver in a fixed direction.</summary>
+        Fixed = 1,
+
+        /// <summary>Receivers at the elevation of the radar.</summary>
+        Sweep = 2
     }
 }

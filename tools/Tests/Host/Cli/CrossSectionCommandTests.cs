@@ -287,7 +287,7 @@ public sealed class CrossSectionCommandTests
     [TestCase(2, "--edges maybe: must be on or off", "--edges", "maybe")]
     [TestCase(2, "--bistatic 10: must be AZ,EL", "--bistatic", "10")]
     [TestCase(2, "--receivers: not with --bistatic", "--receivers", "10", "--bistatic", "10,0")]
-    [TestCase(2, "--elevation: has 2 values: give one with --receivers", "--receivers", "10", "--elevation", "0,1")]
+    [TestCase(2, "there are 2 elevations, and the receivers have that of the radar: give one", "--receivers", "10", "--elevation", "0,1")]
     [TestCase(2, "the surface * is given two materials", "--material", "*=metal", "--material", "*=itu_wood")]
     [TestCase(2, "--shard 2/2: there are 1 rows", "--shard", "2/2")]
     [TestCase(1, "there is no surface hull to give a material to", "--material", "hull=metal")]

@@ -1,15 +1,19 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Text.Json;
 using Glint.Core;
 using Glint.Editor;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.SceneManagement;
+using UnityEditor.UIElements;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.UIElements;
 using Glint.Editor.Views;
+using Object = UnityEngine.Object;
 
 namespace Glint.Host.Tests;
 
@@ -70,6 +74,119 @@ public sealed class CrossSectionTicksTests
                 Is.EqualTo(File.ReadAllBytes(Path.Combine(command, file))), file);
         Assert.That(File.Exists(Path.Combine(_radar.ResultsPath, "results.json")));
         Assert.That(_bar, Is.Empty, "no direction took an hour");
+    }
+
+    static readonly Dictionary<string, (Action<RadarCrossSection> change, string[] options)> Settings = new()
+    {
+        ["range"] = (it => (it.Azimuths, it.Range) = ("0,20,100", 3), ["--azimuth", "0,20,100", "--range", "3"]),
+        ["fixed receiver"] = (
+            it => (it.Azimuths, it.Receiver, it.ReceiverAzimuth, it.ReceiverElevation)
+                = ("0,20", CrossSectionReceiver.Fixed, 40, 10),
+            ["--azimuth", "0,20", "--bistatic", "40,10"]),
+        // The trace of a direction has 16 receivers at most.
+        ["receivers"] = (
+            it => (it.Azimuths, it.Elevations, it.Receiver, it.ReceiverAzimuths)
+                = ("0,20", "5", CrossSectionReceiver.Sweep, "0:90:5"),
+            ["--azimuth", "0,20", "--elevation", "5", "--receivers", "0:90:5"]),
+        ["receivers at a range, two frequencies"] = (
+            it => (it.Azimuths, it.Frequencies, it.Receiver, it.ReceiverAzimuths, it.Range)
+                = ("20,30", "5e9,10e9", CrossSectionReceiver.Sweep, "-60:60:30", 3),
+            ["--azimuth", "20,30", "--frequency", "5e9,10e9", "--receivers", "-60:60:30", "--range", "3"])
+    };
+
+    static IEnumerable<string> SettingNames => Settings.Keys;
+
+    // The rows bit for bit, and what results.json says of them.
+    [TestCaseSource(nameof(SettingNames))]
+    public void Run_WithReceiversOrARange_WritesTheResultsOfTheCommand(string name)
+    {
+        (Action<RadarCrossSection> change, string[] options) = Settings[name];
+        change(_radar);
+        CrossSectionTicks.Run(_radar, 3600);
+        while (_radar.IsRunning)
+            Tick();
+        Tick();
+        Assert.That(_radar.Problem, Is.Null);
+        string command = Path.Combine(_folder, "command");
+        Assert.That(Batch.Execute(CommandLine.Parse(Commands.Rcs,
+            [Scene, .. options, "--polarisation", "vv,hh", "--out", command]), new LogProgress()), Is.Zero);
+        foreach (string file in new[] { "rcs.csv", "rcs.npz" })
+            Assert.That(File.ReadAllBytes(Path.Combine(_radar.ResultsPath, file)),
+                Is.EqualTo(File.ReadAllBytes(Path.Combine(command, file))), file);
+        foreach (string part in new[] { "settings", "sweep", "rows" })
+            Assert.That(Json(_radar.ResultsPath, part), Is.EqualTo(Json(command, part)), part);
+    }
+
+    static string Json(string folder, string part) =>
+        JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "results.json"))).RootElement.GetProperty(part)
+            .GetRawText();
+
+    /// <summary>Before there were sweeps of receivers, scenes had a switch for a fixed receiver, and no range.</summary>
+    [TestCase(0, CrossSectionReceiver.Radar)]
+    [TestCase(1, CrossSectionReceiver.Fixed)]
+    public void Scene_StoredWithASwitchForAFixedReceiver_KeepsIt(int stored, CrossSectionReceiver expected)
+    {
+        string root = Project.FindRoot(AppContext.BaseDirectory);
+        string[] later = ["  _receiverAzimuths:", "  _range:"];
+        string[] lines = File.ReadAllLines(Path.Combine(root, "Scenes/CrossSection.unity"));
+        string[] before = lines.Where(line => !later.Any(line.StartsWith)).Select(line => line switch
+        {
+            "  _receiver: 0" => $"  _isBistatic: {stored}",
+            "  _receiverAzimuth: 0" => "  _receiverAzimuth: -30.5",
+            "  _receiverElevation: 0" => "  _receiverElevation: 7",
+            _ => line
+        }).ToArray();
+        Assert.That(before.Except(lines).Count(), Is.EqualTo(3));
+        // A scene must be in the project.
+        string file = Path.Combine(root, "Scenes", Path.GetRandomFileName() + ".unity");
+        try
+        {
+            File.WriteAllLines(file, before);
+            EditorSceneManager.OpenScene(file, OpenSceneMode.Single);
+            _radar = Object.FindFirstObjectByType<RadarCrossSection>();
+            Assert.That((_radar.Receiver, _radar.ReceiverAzimuth, _radar.ReceiverElevation, _radar.Range),
+                Is.EqualTo((expected, -30.5, 7.0, 0.0)));
+            Assert.That(_radar.Setup(new SceneGatherer()).Range, Is.EqualTo(double.PositiveInfinity));
+        }
+        finally
+        {
+            File.Delete(file);
+        }
+    }
+
+    [Test]
+    public void Inspector_OfASweepOfReceivers_PlotsOverThem()
+    {
+        (_radar.Azimuths, _radar.Receiver, _radar.ReceiverAzimuths)
+            = ("20", CrossSectionReceiver.Sweep, "0:90:30");
+        var editor = UnityEditor.Editor.CreateEditor(_radar);
+        VisualElement inspector = editor.CreateInspectorGUI();
+        Show(inspector);
+        var plot = inspector.Find<PolarView>(_ => true);
+        plot.Size = new Rect(0, 0, 400, 340);
+        CrossSectionTicks.Run(_radar);
+        Tick();
+        Show(inspector);
+        Tick();
+        Assert.That(_radar.Rows, Has.Count.EqualTo(4));
+        Assert.That(plot.Children().OfType<Label>().Select(label => label.text),
+            Does.Contain("over receivers").And.Contain("radar at 20°"));
+        Object.DestroyImmediate(editor);
+    }
+
+    [TestCase(CrossSectionReceiver.Radar)]
+    [TestCase(CrossSectionReceiver.Fixed, "_receiverAzimuth", "_receiverElevation")]
+    [TestCase(CrossSectionReceiver.Sweep, "_receiverAzimuths")]
+    public void Inspector_EnablesTheFieldsOfTheReceiver(CrossSectionReceiver receiver, params string[] enabled)
+    {
+        _radar.Receiver = receiver;
+        var editor = UnityEditor.Editor.CreateEditor(_radar);
+        VisualElement inspector = editor.CreateInspectorGUI();
+        Show(inspector);
+        Assert.That(inspector.Tree().OfType<PropertyField>()
+            .Where(field => field.bindingPath.StartsWith("_receiver") && field.bindingPath != "_receiver"
+                && field.enabledSelf).Select(field => field.bindingPath), Is.EqualTo(enabled));
+        Object.DestroyImmediate(editor);
     }
 
     [Test]

@@ -23,9 +23,10 @@ namespace Glint.Editor.Views
             ? new PolarDrawing(_plot, contentRect) : null;
 
         /// <summary>Shows rows, or nothing if there are none.</summary>
-        public void Show(IReadOnlyList<CrossSectionRow> rows)
+        /// <param name="plan">Of the rows.</param>
+        public void Show(IReadOnlyList<CrossSectionRow> rows, CrossSectionPlan plan)
         {
-            _plot = rows.Count > 0 ? new PolarPlot(rows) : null;
+            _plot = rows.Count > 0 ? new PolarPlot(rows, plan.IsReceiverSweep) : null;
             style.display = _plot != null ? DisplayStyle.Flex : DisplayStyle.None;
             Write();
             MarkDirtyRepaint();

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using UnityEditor;
+using UnityEditor.UIElements;
 using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
@@ -21,6 +22,7 @@ namespace Glint.Editor.Views
         HelpBox _problem;
         PolarView _plot;
         VisualElement _results;
+        PropertyField _receiverAzimuth, _receiverElevation, _receiverAzimuths;
 
         RadarCrossSection Radar => (RadarCrossSection)target;
 
@@ -30,11 +32,14 @@ namespace Glint.Editor.Views
             inspector.Add(Parts.Group("Directions and signal",
                 Parts.Field("_azimuths", "Azimuths, deg"),
                 Parts.Field("_elevations", "Elevations, deg"),
+                Parts.Field("_range", "Range (m)"),
                 Parts.Field("_frequencies", "Frequencies, Hz"),
-                Parts.Field("_polarisations", "Polarisations"),
-                Parts.Field("_isBistatic", "Bistatic"),
-                Parts.Field("_receiverAzimuth", "Receiver Azimuth (deg)"),
-                Parts.Field("_receiverElevation", "Receiver Elevation (deg)")));
+                Parts.Field("_polarisations", "Polarisations")));
+            inspector.Add(Parts.Group("Receivers",
+                Parts.Field("_receiver", "Receiver"),
+                _receiverAzimuth = Parts.Field("_receiverAzimuth", "Receiver Azimuth (deg)"),
+                _receiverElevation = Parts.Field("_receiverElevation", "Receiver Elevation (deg)"),
+                _receiverAzimuths = Parts.Field("_receiverAzimuths", "Receiver Azimuths, deg")));
             inspector.Add(Parts.Group("Accuracy",
                 Parts.Field("_tolerance", "Tolerance (dB)"),
                 Parts.Field("_setFloor", "Set Floor"),
@@ -74,6 +79,10 @@ namespace Glint.Editor.Views
 
         protected override (IEnumerable<Finding>, IEnumerable<(string, string, string)>) Shown()
         {
+            bool isFixed = Radar.Receiver == CrossSectionReceiver.Fixed;
+            _receiverAzimuth.SetEnabled(isFixed);
+            _receiverElevation.SetEnabled(isFixed);
+            _receiverAzimuths.SetEnabled(Radar.Receiver == CrossSectionReceiver.Sweep);
             _check.Update();
             return (_check.Findings, _check.Figures());
         }
@@ -101,7 +110,7 @@ namespace Glint.Editor.Views
             _progress.title = Radar.RowCount > 0 ? $"{Radar.Rows.Count} of {Radar.RowCount} rows" : "";
             _problem.text = Radar.Problem ?? "";
             _problem.style.display = Radar.Problem == null ? DisplayStyle.None : DisplayStyle.Flex;
-            _plot.Show(Radar.Rows);
+            _plot.Show(Radar.Rows, Radar.RunPlan);
             Parts.ShowRows(_results, CrossSectionCheck.Results(Radar));
         }
     }
