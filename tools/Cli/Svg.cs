@@ -42,8 +42,9 @@ sealed class Svg : IDisposable
         Element("line", ("x1", Rounded(x1)), ("y1", Rounded(y1)), ("x2", Rounded(x2)), ("y2", Rounded(y2)),
             ("stroke", colour), ("stroke-width", thickness));
 
-    public void Polyline(IEnumerable<(double x, double y)> points, string colour) =>
-        Element("polyline", ("points", Points(points)), ("fill", "none"), ("stroke", colour), ("stroke-width", 1.5));
+    public void Polyline(IEnumerable<(double x, double y)> points, string colour, double thickness = 1.5) =>
+        Element("polyline", ("points", Points(points)), ("fill", "none"), ("stroke", colour),
+            ("stroke-width", thickness));
 
     /// <summary>A translucent area.</summary>
     public void Area(IEnumerable<(double x, double y)> outline, string colour) =>

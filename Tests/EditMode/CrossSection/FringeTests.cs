@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using System.Numerics;
 using Glint.Core;
+using Glint.Editor;
 using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -25,36 +26,26 @@ namespace Glint.Tests
         [TearDown]
         public void DisposeTracer() => _tracer.Dispose();
 
-        // Plate of 10.5 x 6 inches at 5.12 GHz, no thickness: degrees from normal, dBsm in HH and VV by the
-        // integral-equation code ARCHIE-AIM (Austin RCS Benchmark Suite, University of Texas at Austin, problem set
-        // IIA, study 4), at every fourth of its angles up to 40 degrees.
-        static readonly double[,] Plate =
-        {
-            { 0, 7.9554, 8.0676 }, { 2, 6.4740, 6.5569 }, { 4, 1.2468, 1.1867 }, { 6, -15.4714, -16.4115 },
-            { 8, -7.2677, -6.3106 }, { 10, -7.0052, -6.2450 }, { 12, -17.6263, -16.3132 }, { 14, -11.6707, -12.2801 },
-            { 16, -9.2044, -9.9026 }, { 18, -14.2772, -16.0937 }, { 20, -20.9488, -16.9018 },
-            { 22, -14.4754, -12.1461 }, { 24, -16.8103, -14.9445 }, { 26, -20.0925, -22.8158 },
-            { 28, -14.3318, -15.2336 }, { 30, -13.6384, -14.2510 }, { 32, -17.5761, -18.8674 },
-            { 34, -23.3600, -21.5610 }, { 36, -20.0586, -16.7070 }, { 38, -20.1587, -16.4549 },
-            { 40, -21.4957, -19.3602 },
-        };
-
+        // At every fourth of the published angles: degrees from normal.
         [Test]
         public void PlateWithEdges_IsNearTheMethodOfMoments()
         {
+            var published = PublishedCrossSections.Read("plate_moments")
+                .Where(row => row.Degrees <= 40 && row.Degrees % 2 == 0).ToArray();
             var scene = new RadarScene(CrossSectionTargets.Plate(0.2667, 0.1524));
             double vv = 0, hh = 0, plain = 0;
-            int count = Plate.GetLength(0);
-            for (int i = 0; i < count; i++)
+            int count = published.Length;
+            Assert.That(count, Is.EqualTo(21));
+            foreach (var row in published)
             {
-                var pose = Pose(scene, PublishedRow.Aspect(90, Plate[i, 0]));
+                var pose = Pose(scene, PublishedRow.Aspect(90, row.Degrees));
                 pose.Frequencies = new[] { 5.12e9 };
                 var s = _tracer.Trace(pose).S[0, 0];
                 pose.HasEdges = false;
                 var without = _tracer.Trace(pose).S[0, 0];
-                hh += abs(ScatteringMatrix.Dbsm(s.HH) - Plate[i, 1]) / count;
-                vv += abs(ScatteringMatrix.Dbsm(s.VV) - Plate[i, 2]) / count;
-                plain += abs(ScatteringMatrix.Dbsm(without.VV) - Plate[i, 2]) / count;
+                hh += abs(ScatteringMatrix.Dbsm(s.HH) - row.HH) / count;
+                vv += abs(ScatteringMatrix.Dbsm(s.VV) - row.VV) / count;
+                plain += abs(ScatteringMatrix.Dbsm(without.VV) - row.VV) / count;
             }
             Assert.That(vv, Is.LessThan(0.8));
             Assert.That(hh, Is.LessThan(1.5));

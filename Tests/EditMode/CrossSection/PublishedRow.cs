@@ -14,6 +14,8 @@ namespace Glint.Tests
     /// </summary>
     sealed class PublishedRow
     {
+        const string OneBounce = "only-";
+
         readonly string[] _fields;
 
         public PublishedRow(string text) => _fields = text.Split(' ');
@@ -21,6 +23,20 @@ namespace Glint.Tests
         public override string ToString() => string.Join(" ", _fields);
 
         public string Target => _fields[0];
+
+        /// <summary>Theta and phi to the radar, and to another receiver, degrees.</summary>
+        public string Directions => $"{_fields[2]}, {_fields[3]}"
+            + (Receiver == (_fields[2], _fields[3]) ? "" : $" to {_fields[4]}, {_fields[5]}");
+
+        /// <summary>What else the value depends on.</summary>
+        public string[] Conditions => new[]
+        {
+            Target, (Number(1) / 1e9).ToString("0.######", CultureInfo.InvariantCulture) + " GHz",
+            _fields[6] == "0" ? "far field" : $"at {_fields[6]} m",
+            IsOneBounce ? $"bounce {Bounces} alone" : Bounces == 1 ? "1 bounce" : $"up to {Bounces} bounces",
+            MaterialText(),
+            HasEdges ? "fringe fields" : "no fringe fields"
+        };
 
         /// <summary>All but receiver, polarisation, value and tolerance: rows with the same share a trace.</summary>
         public string Wave => string.Join(" ", _fields.Where((_, i) => i < 4 || i >= 6 && i < 10));
@@ -35,18 +51,20 @@ namespace Glint.Tests
 
         public double ToleranceDb => Number(12);
 
-        public CrossSectionPose Pose()
+        bool IsOneBounce => _fields[7].StartsWith(OneBounce, System.StringComparison.Ordinal);
+
+        int Bounces => int.Parse(IsOneBounce ? _fields[7].Substring(OneBounce.Length) : _fields[7],
+            CultureInfo.InvariantCulture);
+
+        bool HasEdges => _fields[9] == "1";
+
+        public CrossSectionPose Pose() => new CrossSectionPose
         {
-            bool isOnly = _fields[7].StartsWith("only-", System.StringComparison.Ordinal);
-            int bounces = int.Parse(_fields[7].Substring(isOnly ? 5 : 0), CultureInfo.InvariantCulture);
-            return new CrossSectionPose
-            {
-                Scene = new RadarScene(CrossSectionTargets.Named(_fields[0])) { Surfaces = new[] { Material() } },
-                Radar = Aspect(Number(2), Number(3)), Receivers = new[] { ReceiverAspect() },
-                Frequencies = new[] { Number(1) }, Range = Number(6) > 0 ? Number(6) : double.PositiveInfinity,
-                MaxBounces = bounces, OnlyBounce = isOnly ? bounces : 0, HasEdges = _fields[9] == "1"
-            };
-        }
+            Scene = new RadarScene(CrossSectionTargets.Named(_fields[0])) { Surfaces = new[] { Material() } },
+            Radar = Aspect(Number(2), Number(3)), Receivers = new[] { ReceiverAspect() },
+            Frequencies = new[] { Number(1) }, Range = Number(6) > 0 ? Number(6) : double.PositiveInfinity,
+            MaxBounces = Bounces, OnlyBounce = IsOneBounce ? Bounces : 0, HasEdges = HasEdges
+        };
 
         public RadarAspect ReceiverAspect() => Aspect(Number(4), Number(5));
 
@@ -81,6 +99,15 @@ namespace Glint.Tests
             return parts[0] == "metal"
                 ? new SurfaceMaterial("layer", new[] { new MaterialLayer(medium, values[4]) })
                 : new SurfaceMaterial("half-space", halfSpace: medium);
+        }
+
+        string MaterialText()
+        {
+            var parts = _fields[8].Split(',');
+            if (parts.Length == 1)
+                return "metal";
+            string medium = $"e = {parts[1]} - j {parts[2]}, mu = {parts[3]} - j {parts[4]}";
+            return parts[0] == "metal" ? $"{parts[5]} m of {medium} on metal" : $"half-space of {medium}";
         }
 
         double Number(int field) => double.Parse(_fields[field], CultureInfo.InvariantCulture);

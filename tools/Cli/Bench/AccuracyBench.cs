@@ -13,10 +13,10 @@ namespace Glint.Cli;
 /// Measures error against run time. Each scene is built in code, traced with increasing numbers of rays, and compared
 /// with the converged result.
 /// </summary>
-sealed class AccuracyBench(ComputeShader kernel, ComputeShader tubeKernel, int rounds, IProgressSink progress)
+sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progress)
 {
-    // Rays across the picture; the height follows from 16:9.
-    static readonly int[] s_across = [480, 960, 1920, 3840, 7680];
+    /// <summary>Rays across the picture; the height follows from 16:9.</summary>
+    public static readonly int[] Across = [480, 960, 1920, 3840, 7680];
 
     // Minimum number of rounds of a slow pose.
     const int MinRounds = 3;
@@ -37,8 +37,6 @@ sealed class AccuracyBench(ComputeShader kernel, ComputeShader tubeKernel, int r
         Steps("converged results", scenes, scene =>
             converged.Add(scene, AccuracyReference.Of(scene, RadarSettings.Default, progress, progress.Cancel)));
         Steps("poses", scenes, scene => MeasureScene(tracer, scene, converged[scene]));
-        using var amplitudes = new AmplitudeTracer(tubeKernel, "accuracy");
-        Steps("ray tubes", scenes, scene => MeasureTubes(amplitudes, scene));
         Steps("same rays by the reference tracer", scenes, scene => _result.Precision.Add(
             AccuracyPrecision.Of(scene, RadarSettings.Default, Row(scene, RadarSettings.Default.RaysAcross).Result,
                 progress, progress.Cancel)));
@@ -67,12 +65,19 @@ sealed class AccuracyBench(ComputeShader kernel, ComputeShader tubeKernel, int r
         }
     }
 
+    /// <summary>The published radar with other numbers of rays.</summary>
+    public static RadarSettings SettingsOf(int across)
+    {
+        var settings = RadarSettings.Default;
+        (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
+        return settings;
+    }
+
     void MeasureScene(RayTracer tracer, AccuracyScene scene, AccuracyReference converged)
     {
-        foreach (int across in s_across)
+        foreach (int across in Across)
         {
-            var settings = RadarSettings.Default;
-            (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
+            var settings = SettingsOf(across);
             var pose = new RadarPose(scene.Scene, settings, scene.View);
             var times = Time(() => tracer.Trace(pose, RayReadback.None, null, progress.Cancel), out var result);
             _result.Rows.Add(new AccuracyRow(scene, settings, result, times, converged));
@@ -100,14 +105,6 @@ sealed class AccuracyBench(ComputeShader kernel, ComputeShader tubeKernel, int r
         var watch = Stopwatch.StartNew();
         result = tracer.Trace(pose, RayReadback.None, null, progress.Cancel);
         return watch.Elapsed.TotalMilliseconds;
-    }
-
-    void MeasureTubes(AmplitudeTracer tracer, AccuracyScene scene)
-    {
-        var pose = AccuracyTubes.PoseOf(scene);
-        var times = Time(() => tracer.Trace(pose, null, progress.Cancel), out var result);
-        var rows = _result.Rows.Where(row => row.Scene == scene).ToArray();
-        _result.Tubes.Add(AccuracyTubes.Of(scene, result, times, rows, progress, progress.Cancel));
     }
 
     // The variants take turns, so that a slow phase of the machine affects all of them.

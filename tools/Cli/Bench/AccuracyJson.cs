@@ -21,7 +21,6 @@ static class AccuracyJson
             ["rounds"] = result.Rounds,
             ["normal_rays"] = RadarResult.NormalRays,
             ["scenes"] = new JArray(result.Rows.GroupBy(row => row.Scene).Select(Scene)),
-            ["tubes"] = new JArray(result.Tubes.Select(Tubes)),
             ["precision"] = new JArray(result.Precision.Select(Precision)),
             ["cost_scene"] = result.CostScene.Name,
             ["costs"] = new JArray(result.Costs.Select(Cost)),
@@ -59,24 +58,6 @@ static class AccuracyJson
         ["undersampled"] = row.Result.Undersampled,
         ["phase_error_rad"] = row.PhaseError,
         ["hits_error_relative"] = row.HitsError,
-    };
-
-    static JObject Tubes(AccuracyTubes row) => new()
-    {
-        ["scene"] = row.Scene.Name,
-        ["converged_amplitude"] = row.Converged.Magnitude,
-        ["converged_amplitude_uncertainty"] = row.Uncertainty,
-        ["converged_phase_rad"] = row.Converged.Phase,
-        ["tolerance_db"] = AccuracyTubes.ToleranceDb,
-        ["rays"] = row.Result.RaysEmitted,
-        ["trace_ms"] = row.Times.Median,
-        ["amplitude_error_relative"] = row.Error,
-        ["sampling_error"] = row.Result.SamplingError,
-        ["tolerance_met"] = !row.Result.Undersampled,
-        ["uniform_rays_across"] = row.Uniform.Settings.RaysAcross,
-        ["uniform_rays"] = row.UniformRays,
-        ["uniform_trace_ms"] = row.Uniform.Times.Median,
-        ["uniform_amplitude_error_relative"] = row.UniformError,
     };
 
     static JObject Precision(AccuracyPrecision row) => new()

@@ -13,9 +13,6 @@ sealed class AccuracyResult
     /// <summary>Rows by scene, in ascending number of rays.</summary>
     public List<AccuracyRow> Rows { get; } = [];
 
-    /// <summary>Ray tubes, by scene.</summary>
-    public List<AccuracyTubes> Tubes { get; } = [];
-
     /// <summary>Precision at the published number of rays.</summary>
     public List<AccuracyPrecision> Precision { get; } = [];
 

@@ -26,10 +26,6 @@ sealed class AccuracyTables(Terminal terminal)
                 yield return line;
         }
         yield return "";
-        yield return "Ray tubes to 1 %, beside the fewest uniform rays that reach it (*: none does; the most traced)";
-        foreach (string line in _text.Lines(Tubes(result)))
-            yield return line;
-        yield return "";
         yield return Text(
             $"The tracer's sums less the reference tracer's over the same rays, {RadarSettings.Default.RaysAcross} x {RadarSettings.Default.RaysDown}, and the change by path lengths in float32, at the same and at larger ranges; in rays");
         foreach (string line in _text.Lines(Precision(result)))
@@ -53,19 +49,6 @@ sealed class AccuracyTables(Terminal terminal)
                     Text($"{row.Result.SamplingError:0.00}"),
                     Text($"{row.PhaseError:+0.000;-0.000;0.000}"), Text($"{100 * row.HitsError:+0.000;-0.000;0.000}"),
                     Text($"{row.Result.LargestPathStep:0.00}")));
-        return table;
-    }
-
-    Table Tubes(AccuracyResult result)
-    {
-        var table = _text.New(1, "scene", "converged", "rays", "ms", "error, %", "said, %", "uniform rays", "ms",
-            "error, %");
-        foreach (var row in result.Tubes)
-            table.AddRow(Escaped(row.Scene.Name, Text($"{row.Converged.Magnitude:0.000} ± {row.Uncertainty:0.000}"),
-                Text($"{row.Result.RaysEmitted:N0}"), Ms(row.Times.Median), Text($"{100 * row.Error:+0.00;-0.00;0.00}"),
-                Text($"{100 * row.Result.SamplingError / row.Result.NormalisedAmplitude:0.00}"),
-                Text($"{row.UniformRays:N0}{(row.IsUniformWithin ? "" : " *")}"), Ms(row.Uniform.Times.Median),
-                Text($"{100 * row.UniformError:+0.00;-0.00;0.00}")));
         return table;
     }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Glint.Core;
@@ -13,6 +14,9 @@ namespace Glint.Cli;
 /// </summary>
 sealed class BenchCommand(Terminal terminal)
 {
+    // Of a plate and of a sphere.
+    static readonly string[] s_crossSectionPlots = ["rcs-plate.svg", "rcs-sphere.svg"];
+
     /// <returns>The report, line by line.</returns>
     /// <exception cref="GlintException">A file, the scene, the device or a peer fails.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
@@ -21,20 +25,26 @@ sealed class BenchCommand(Terminal terminal)
         var json = line.IsGiven(Options.Json) ? new OutputFile(Options.Json.Flag, line.Get(Options.Json)) : null;
         var sceneFile = line.IsGiven(Options.WriteScene) ? new OutputFile(Options.WriteScene.Flag,
             line.Get(Options.WriteScene)) : null;
-        var plot =
-            line.IsGiven(Options.Accuracy) ? new OutputFile(Options.Accuracy.Flag, line.Get(Options.Accuracy)) : null;
+        var plot = new[] { Options.Accuracy, Options.Tubes }.Where(line.IsGiven)
+            .Select(option => new OutputFile(option.Flag, line.Get(option))).SingleOrDefault();
+        var plots = line.IsGiven(Options.CrossSectionPlots)
+            ? Array.ConvertAll(s_crossSectionPlots, name => new OutputFile(Options.CrossSectionPlots.Flag,
+                Path.Combine(line.Get(Options.CrossSectionPlots), name)))
+            : null;
         var loaded = LoadedScene.Open(line);
         try
         {
             if (plot != null)
-                return Accuracy(line, loaded.Radar, json, plot, progress);
+                return line.IsGiven(Options.Accuracy) ? Accuracy(line, loaded.Radar, json, plot, progress)
+                    : Tubes(line, loaded.Radar, json, plot, progress);
+            if (plots != null)
+                return CrossSectionPlots(loaded.Radar, plots, progress);
             if (line.IsGiven(Options.CrossSections))
                 return Points(line, loaded.Radar, json, progress);
             var result = Measure(line, loaded, sceneFile, progress);
             result.Clutter?.Dispose();
             json?.Write(stream => BenchJson.Write(stream, result));
-            var written = new[] { sceneFile, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
-            return [.. new BenchTables(terminal).Lines(result), .. written];
+            return [.. new BenchTables(terminal).Lines(result), .. Written(sceneFile, json)];
         }
         finally
         {
@@ -44,20 +54,40 @@ sealed class BenchCommand(Terminal terminal)
 
     string[] Accuracy(CommandLine line, RadarController radar, OutputFile json, OutputFile plot, IProgressSink progress)
     {
-        var result = new AccuracyBench(radar.Kernel, radar.TubeKernel, line.Get(Options.Rounds), progress).Run();
+        var result = new AccuracyBench(radar.Kernel, line.Get(Options.Rounds), progress).Run();
         json?.Write(stream => AccuracyJson.Write(stream, result));
         plot.Write(stream => AccuracyPlot.Write(stream, result));
-        var written = new[] { plot, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
-        return [.. new AccuracyTables(terminal).Lines(result), .. written];
+        return [.. new AccuracyTables(terminal).Lines(result), .. Written(plot, json)];
+    }
+
+    string[] Tubes(CommandLine line, RadarController radar, OutputFile json, OutputFile plot, IProgressSink progress)
+    {
+        var result = new TubeBench(radar.Kernel, radar.TubeKernel, line.Get(Options.Rounds), progress).Run();
+        json?.Write(stream => TubeJson.Write(stream, result));
+        plot.Write(stream => TubePlot.Write(stream, result));
+        return [.. new TubeTables(terminal).Lines(result), .. Written(plot, json)];
+    }
+
+    static string[] CrossSectionPlots(RadarController radar, OutputFile[] files, IProgressSink progress)
+    {
+        using var tracer = new CrossSectionTracer(radar.ClutterKernel, "plots of cross sections");
+        var curves = new CrossSectionCurves(tracer, progress);
+        files[0].Write(stream => CrossSectionPlot.Write(stream, "Plate of 6 x 10.5 inches, 5.12 GHz",
+            "angle from the normal, degrees", (-60, 10), curves.Plate()));
+        files[1].Write(stream => CrossSectionPlot.Write(stream, "Metal sphere of 1 m diameter, 10 GHz, bistatic",
+            "angle between radar and receiver, degrees", (-20, 40), curves.Sphere()));
+        return [.. Written(files)];
     }
 
     string[] Points(CommandLine line, RadarController radar, OutputFile json, IProgressSink progress)
     {
         var result = new PointBench(line, radar, progress).Run();
         json?.Write(stream => PointJson.Write(stream, result));
-        var written = json == null ? Enumerable.Empty<string>() : [$"written: {json.Path}"];
-        return [.. new PointTables(terminal).Lines(result), .. written];
+        return [.. new PointTables(terminal).Lines(result), .. Written(json)];
     }
+
+    static IEnumerable<string> Written(params OutputFile[] files) =>
+        files.Where(file => file != null).Select(file => $"written: {file.Path}");
 
     static BenchResult Measure(CommandLine line, LoadedScene loaded, OutputFile sceneFile, IProgressSink progress)
     {

@@ -313,7 +313,10 @@ namespace Glint.Editor
                     Options.Rounds, Options.TimedSweep, Options.TimedFacets, Options.CrossSections, Options.Peers,
                     Options.Reference, Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
                     Options.Clutter
-                }.Concat(Options.Radar).Concat(new Option[] { Options.Accuracy, Options.Device }).ToArray(),
+                }.Concat(Options.Radar).Concat(new Option[]
+                {
+                    Options.Accuracy, Options.Tubes, Options.CrossSectionPlots, Options.Device
+                }).ToArray(),
             Notes = new[]
                 {
                     "A pose is timed as in a sweep: the target (the ship, the mesh of a file) is turned by a "

@@ -350,21 +350,22 @@ namespace Glint.Editor
         };
 
         /// <summary>File for the plot of error against time; null when not given.</summary>
-        public static readonly Option<string> Accuracy = new Option<string>("accuracy", "[FILE]", Values.NotEmpty)
-        {
-            Group = BenchGroup,
-            Inputs = InputKind.BuiltIn,
-            Refusal = "it has its own scenes: leave INPUT out",
-            ImpliedText = "accuracy.svg",
-            Excludes = new Option[]
-            {
-                Reference, Peers, TimedSweep, TimedFacets, CrossSections, WriteScene, Seed, SeaTriangles, ShipTriangles,
-                Size, Region, Frequency, Bounces, NoSamplingError, Receiver
-            }
-                .Select(option => (option, "it has its own scenes and radars")).ToArray(),
-            Help = "Instead: error against run time in built-in scenes, each traced with increasing numbers of rays "
-                + "and compared with the converged result. FILE is the plot, as SVG; without it: accuracy.svg."
-        };
+        public static readonly Option<string> Accuracy = OwnScenes("accuracy", "[FILE]", "accuracy.svg",
+            "Instead: error against run time in built-in scenes, each traced with increasing numbers of rays "
+                + "and compared with the converged result. FILE is the plot, as SVG; without it: accuracy.svg.");
+
+        /// <summary>File for the plot of ray tubes beside uniform rays; null when not given.</summary>
+        public static readonly Option<string> Tubes = OwnScenes("tubes", "[FILE]", "tubes.svg",
+            "Instead: error, rays and run time of ray tubes and of uniform rays in built-in scenes, which "
+                + "take turns. FILE is the plot, as SVG; without it: tubes.svg.", (Accuracy, OwnRadars));
+
+        /// <summary>Folder for the plots of cross sections beside published ones; null when not given.</summary>
+        public static readonly Option<string> CrossSectionPlots = OwnScenes("rcs-plots", "[DIR]", ".",
+            "Instead: cross sections of a plate with fringe fields beside the method of moments, and of a sphere "
+                + "beside Mie's series. DIR receives the plots, rcs-plate.svg and rcs-sphere.svg; without it: the "
+                + "current folder.",
+            (Accuracy, OwnRadars), (Tubes, OwnRadars), (Rounds, "each direction is traced once"),
+            (Json, "it writes plots alone"));
 
         /// <summary>Settings of a radar: the options of all commands that trace one pose.</summary>
         internal static readonly Option[] Radar =
@@ -404,6 +405,26 @@ namespace Glint.Editor
 
         internal static Option<string> Text(string name, string valueName, string group, string help) =>
             new Option<string>(name, valueName, Values.NotEmpty) { Group = group, Help = help };
+
+        const string OwnRadars = "it has its own scenes and radars";
+
+        // A benchmark whose scenes and radars no option changes.
+        static Option<string> OwnScenes(string name, string valueName, string implied, string help,
+            params (Option, string)[] others) =>
+            new Option<string>(name, valueName, Values.NotEmpty)
+            {
+                Group = BenchGroup,
+                Inputs = InputKind.BuiltIn,
+                Refusal = "it has its own scenes: leave INPUT out",
+                ImpliedText = implied,
+                Excludes = new Option[]
+                {
+                    Reference, Peers, TimedSweep, TimedFacets, CrossSections, WriteScene, Seed, SeaTriangles,
+                    ShipTriangles, Size, Region, Frequency, Bounces, NoSamplingError, Receiver
+                }
+                    .Select(option => (option, OwnRadars)).Concat(others).ToArray(),
+                Help = help
+            };
 
         internal static Option<T> Needing<T>(Option needed, Option<T> option)
         {

@@ -14,7 +14,7 @@ using Unity.Mathematics;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Parts of glint bench --accuracy; the whole takes minutes.</summary>
+/// <summary>Parts of glint bench --accuracy and --tubes; the whole takes minutes.</summary>
 public sealed class AccuracyTests
 {
     static readonly IProgress<double> s_deaf = new Progress<double>();
@@ -99,17 +99,56 @@ public sealed class AccuracyTests
     [Test]
     public void Tubes_StandBesideFewestUniformRays_FromWhichOnAllAreWithinOnePercent()
     {
-        var scene = new AccuracyScene("any", new RadarScene(), default);
-        var rows = new[] { 1.5, 1, 1.2, 1.005, 0.995 }.Select((amplitude, i) =>
+        TubeRow[] rows = [.. new[] { 1.5, 1, 1.2, 1.005, 0.995 }.Select((amplitude, i) => Row(amplitude, 480 << i))];
+        Assert.That(TubeSceneOf("any", [], rows).FewestUniform?.Settings.RaysAcross, Is.EqualTo(3840));
+        Assert.That(TubeSceneOf("any", [], rows[..3]).FewestUniform, Is.Null);
+    }
+
+    // Errors of -1 and 4 %, 100 and 400 rays.
+    [Test]
+    public void TubeMeans_AreGeometricOfRaysAndMediansOfErrors()
+    {
+        var result = new TubeResult { Device = GraphicsDevice.Current.Info, Rounds = 1 };
+        result.Scenes.Add(TubeSceneOf("few", [Row(0.99, 10)], []));
+        result.Scenes.Add(TubeSceneOf("many", [Row(1.04, 40)], []));
+        var mean = result.TubeMeans.Single();
+        Assert.That(mean.Rays, Is.EqualTo(10 * 20).Within(1e-9).Percent);
+        Assert.That(mean.Error, Is.EqualTo(0.025).Within(1e-9));
+        Assert.That(mean.LargestError, Is.EqualTo(0.04).Within(1e-9));
+    }
+
+    // An error of 0 is drawn too, though the axis is logarithmic.
+    [Test]
+    public void TubePlot_HasALineAMethodAndPanel_WithinThePicture()
+    {
+        var result = new TubeResult { Device = GraphicsDevice.Current.Info, Rounds = 1 };
+        result.Scenes.Add(TubeSceneOf("<odd>", [Row(1.1, 10), Row(1, 20)], [Row(3, 30), Row(1.2, 60)]));
+        var stream = new MemoryStream();
+        TubePlot.Write(stream, result);
+
+        var svg = XDocument.Parse(Encoding.UTF8.GetString(stream.ToArray())).Root;
+        double width = (double)svg.Attribute("width"), height = (double)svg.Attribute("height");
+        Assert.That(svg.Elements().Count(element => element.Name.LocalName == "polyline"), Is.EqualTo(4));
+        foreach (var dot in svg.Elements().Where(element => element.Name.LocalName == "circle"))
         {
-            var settings = RadarSettings.Default;
-            (settings.RaysAcross, settings.RaysDown) = (480 << i, 270 << i);
-            var sums = new RadarSums { InPhase = amplitude * 40 / RadarResult.NormalRays * settings.RayCount };
-            sums.RaysOfPicture = settings.RayCount;
-            return new AccuracyRow(scene, settings, new RadarResult(sums), new Series(), new(40, 0.5, 1000));
-        }).ToArray();
-        Assert.That(AccuracyTubes.FewestWithin(rows, 40)?.Settings.RaysAcross, Is.EqualTo(3840));
-        Assert.That(AccuracyTubes.FewestWithin(rows[..3], 40), Is.Null);
+            Assert.That((double)dot.Attribute("cx"), Is.InRange(0, width));
+            Assert.That((double)dot.Attribute("cy"), Is.InRange(0, height));
+        }
+        Assert.That(svg.Value, Does.Contain("rays of a pose").And.Contain("milliseconds"));
+    }
+
+    [Test]
+    public void TubeJson_HasErrorAndRaysOfEachMethod()
+    {
+        var result = new TubeResult { Device = GraphicsDevice.Current.Info, Rounds = 1 };
+        result.Scenes.Add(TubeSceneOf("any", [Row(1.1, 10)], [Row(3, 30)]));
+        var stream = new MemoryStream();
+        TubeJson.Write(stream, result);
+
+        var scene = JObject.Parse(Encoding.UTF8.GetString(stream.ToArray()))["scenes"][0];
+        Assert.That(scene["tubes"][0]["amplitude_error_relative"].ToObject<double>(), Is.EqualTo(0.1).Within(1e-9));
+        Assert.That(scene["uniform"][0]["rays"].ToObject<long>(), Is.EqualTo(300));
+        Assert.That(scene["uniform"][0]["rays_across"].ToObject<int>(), Is.EqualTo(30));
     }
 
     [Test]
@@ -133,11 +172,36 @@ public sealed class AccuracyTests
         Assert.That(() => CommandLine.Parse(Commands.Bench, ["--accuracy", "plot.svg", "--size", "64x36"]),
             Throws.TypeOf<UsageException>().With.Message.Contains("--size"));
 
+    [TestCase("--tubes", "--accuracy")]
+    [TestCase("--rcs-plots", "--accuracy")]
+    [TestCase("--rcs-plots", "--tubes")]
+    [TestCase("--rcs-plots", "--json", "x.json")]
+    public void Benchmarks_WithScenesOfTheirOwn_RefuseWhatTheyDoNotTake(params string[] line) =>
+        Assert.That(() => CommandLine.Parse(Commands.Bench, line),
+            Throws.TypeOf<UsageException>().With.Message.Contains($"not with {line[1]}"));
+
     static AccuracyScene Plate(double width, double height, RadarView view)
     {
         float x = (float)(width / 2), y = (float)(height / 2);
         return new AccuracyScene("plate", new RadarScene(new TriangleMesh([new float3(-x, -y, 0), new float3(x, -y, 0),
             new float3(x, y, 0), new float3(-x, y, 0)], [0, 1, 2, 0, 2, 3])), view);
+    }
+
+    // An amplitude of a picture ten rays high.
+    static TubeRow Row(double amplitude, int across)
+    {
+        var settings = RadarSettings.Default;
+        (settings.RaysAcross, settings.RaysDown) = (across, 10);
+        var sums = new RadarSums { RaysOfPicture = settings.RayCount, RaysEmitted = settings.RayCount };
+        return new TubeRow(settings, new RadarResult(sums), new Series(across), amplitude - 1);
+    }
+
+    static TubeScene TubeSceneOf(string name, TubeRow[] tubes, TubeRow[] uniform)
+    {
+        var scene = new TubeScene(new AccuracyScene(name, new RadarScene(), default), 1, 0);
+        scene.Tubes.AddRange(tubes);
+        scene.Uniform.AddRange(uniform);
+        return scene;
     }
 
     // Two made-up scenes of two poses each.

@@ -1,0 +1,86 @@
+using System;
+using System.Diagnostics;
+using System.Linq;
+using Glint.Core;
+using Glint.Host;
+using Glint.Reference;
+using UnityEngine;
+
+namespace Glint.Cli;
+
+/// <summary>
+/// Measures ray tubes at several tolerances beside uniform rays. Each is compared with the amplitude by clipped tubes
+/// in double precision.
+/// </summary>
+sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int rounds, IProgressSink progress)
+{
+    /// <summary>Relative errors that the tubes are asked for.</summary>
+    public static readonly double[] Tolerances = [0.3, 0.1, 0.03, TubeScene.Goal, 0.003];
+
+    // Undivided cells across the picture: of the converged amplitude, and of another whose difference is its
+    // uncertainty.
+    const int Cells = 2880, OtherCells = 1920;
+
+    /// <exception cref="GlintException">The device cannot trace.</exception>
+    /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
+    public TubeResult Run()
+    {
+        var result = new TubeResult { Device = GraphicsDevice.Current.Info, Rounds = rounds };
+        using var uniform = new RayTracer(kernel, "ray tubes");
+        using var tubes = new AmplitudeTracer(tubeKernel, "ray tubes");
+        var scenes = AccuracyScene.All();
+        progress.Start("ray tubes", scenes.Count);
+        try
+        {
+            foreach (var scene in scenes)
+            {
+                result.Scenes.Add(Measure(scene, uniform, tubes));
+                progress.Advance(result.Scenes.Count, null);
+            }
+        }
+        finally
+        {
+            progress.Finish();
+        }
+        return result;
+    }
+
+    TubeScene Measure(AccuracyScene scene, RayTracer uniform, AmplitudeTracer tubes)
+    {
+        var first = PoseOf(scene, RadarSettings.Default);
+        var converged = ReferenceAmplitude.Of(first, Cells, new Part(progress, 0, 3), progress.Cancel);
+        var other = ReferenceAmplitude.Of(first, OtherCells, new Part(progress, 1, 3), progress.Cancel);
+        var measured = new TubeScene(scene, converged, Math.Abs(converged.Magnitude - other.Magnitude));
+        RadarPose[] poses =
+        [
+            .. Tolerances.Select(tolerance => PoseOf(scene, SettingsOf(tolerance))),
+            .. AccuracyBench.Across.Select(across => PoseOf(scene, AccuracyBench.SettingsOf(across))),
+        ];
+        var times = Array.ConvertAll(poses, pose => new Series());
+        var results = new RadarResult[poses.Length];
+        // They take turns, so that a slow phase of the machine affects all. The first round is a warm-up.
+        for (int round = 0; round <= rounds; round++)
+            for (int i = 0; i < poses.Length; i++)
+            {
+                var watch = Stopwatch.StartNew();
+                results[i] = poses[i].Settings.ToleranceDb > 0 ? tubes.Trace(poses[i], null, progress.Cancel)
+                    : uniform.Trace(poses[i], RayReadback.None, null, progress.Cancel);
+                if (round > 0)
+                    times[i].Add(watch.Elapsed.TotalMilliseconds);
+                new Part(progress, 2, 3).Report((round + (i + 1.0) / poses.Length) / (rounds + 1));
+            }
+        for (int i = 0; i < poses.Length; i++)
+            (poses[i].Settings.ToleranceDb > 0 ? measured.Tubes : measured.Uniform).Add(new TubeRow(
+                poses[i].Settings, results[i], times[i], measured.ErrorOf(results[i].NormalisedAmplitude)));
+        return measured;
+    }
+
+    static RadarPose PoseOf(AccuracyScene scene, in RadarSettings settings) => new(scene.Scene, settings, scene.View);
+
+    static RadarSettings SettingsOf(double tolerance)
+    {
+        var settings = RadarSettings.Default;
+        settings.ToleranceDb = 20 * Math.Log10(1 + tolerance);
+        return settings;
+    }
+}

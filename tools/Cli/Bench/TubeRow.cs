@@ -1,0 +1,20 @@
+using Glint.Core;
+
+namespace Glint.Cli;
+
+/// <summary>Ray tubes at one tolerance, or one number of uniform rays, in a <see cref="TubeScene"/>.</summary>
+/// <param name="error">Relative error of the amplitude.</param>
+sealed class TubeRow(RadarSettings settings, RadarResult result, Series times, double error)
+{
+    public RadarSettings Settings { get; } = settings;
+    public RadarResult Result { get; } = result;
+
+    /// <summary>Time of tracing and summing, with the scene already on the device.</summary>
+    public Series Times { get; } = times;
+
+    /// <summary>Relative error of the amplitude.</summary>
+    public double Error { get; } = error;
+
+    /// <summary>Rays of the pose, with the sub-rays of the sampling error.</summary>
+    public long Rays => Result.RaysEmitted + Result.Statistics.SubRays;
+}
