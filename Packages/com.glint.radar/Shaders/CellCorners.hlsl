@@ -52,23 +52,34 @@ CellCorners LoadCorners(inout Cell cell)
         corners.AreSame = corners.AreSame && cell.Signatures[i] == cell.Signatures[0];
     }
     corners.Common = CommonBounces(corners);
-    cell.IsDeep = any(corners.Bounces > 1) ? 1 : 0;
+    cell.Traits = any(corners.Bounces > 1) ? DEEP_CELL : 0;
     return corners;
 }
 
-// Largest thinned strengths of the corners at bounces that are not summed yet: of all currents, of the cross-polarised ones;
-// and the largest weighted product with the error by bent phases.
-float3 StrengthLeft(CellCorners corners, Cell cell)
+// What the corners have met at bounces that are not summed yet: the largest of each.
+struct CurrentsLeft
+{
+    float Strength;        // weighted
+    float Thinned;         // the same times Thinning
+    float Bent;            // Strength times the error by bent phases
+    float2 Missed;         // thinned, not weighted: of all currents, of the cross-polarised ones
+};
+
+CurrentsLeft LeftAt(CellCorners corners, Cell cell)
 {
     float side = SideOfCell(cell);
-    float3 most = 0.0;
+    CurrentsLeft most = (CurrentsLeft)0;
     for (uint i = 0; i < 4; i++)
         for (uint bounce = cell.FirstBounce; bounce < corners.Bounces[i]; bounce++)
         {
             Corner corner = _Corners[corners.Elements[i] + bounce];
-            float crossPart = CrossPartOf(corner), strength = corner.Strength * Thinning(f16tof32(corner.Changes), side);
-            float bent = min(1.0, side * side * f16tof32(corner.Changes >> 16));
-            most = max(most, strength * float3(1.0, crossPart, bent * WeightOf(crossPart)));
+            float crossPart = CrossPartOf(corner), thinning = Thinning(f16tof32(corner.Changes), side),
+                bent = min(1.0, side * side * f16tof32(corner.Changes >> 16)),
+                strength = corner.Strength * WeightOf(crossPart);
+            most.Strength = max(most.Strength, strength);
+            most.Thinned = max(most.Thinned, strength * thinning);
+            most.Bent = max(most.Bent, strength * bent);
+            most.Missed = max(most.Missed, corner.Strength * thinning * float2(1.0, crossPart));
         }
     return most;
 }

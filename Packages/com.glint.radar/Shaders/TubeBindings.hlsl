@@ -86,6 +86,8 @@ float2 MagnitudesOf(Tube tube)
     return float2(LargerOf(tube.CoPolar), LargerOf(tube.CrossPolar));
 }
 
+static const uint DEEP_CELL = 1, BENT_CELL = 2;
+
 // A cell of the grid.
 struct Cell
 {
@@ -93,14 +95,20 @@ struct Cell
     uint Level;           // its side is 2^-Level base cells
     uint FirstBounce;     // bounces before it are summed already
     uint4 Signatures;     // of the rays through its corners, in order around it
-    float Strength;       // of what is left to sum: largest weighted and thinned p.C, m2 a base cell
-    float Bent;           // and the largest error of a piece by bent phases, as a fraction of its area
+    float Strength;       // of what is left to sum: largest weighted p.C, m2 a base cell
+    float Thinned;        // the same times Thinning
     uint2 Crossings;      // of the border with two sides: see BorderOf
     uint Pose;            // of this dispatch
     uint Number;          // in its round
     uint Whole;           // number in the round before of the cell that it is a part of
-    uint IsDeep;          // 1: a ray through a corner of it, or of the cell that it is a part of, bounces more than once
+    uint Traits;          // DEEP_CELL: a ray through a corner of it, or of the cell that it is a part of, bounces more than
+                          // once; BENT_CELL: bent phases make the error of a piece too large
 };
+
+bool IsDeep(Cell cell)
+{
+    return (cell.Traits & DEEP_CELL) != 0;
+}
 
 // Input: what the tracer does not need.
 StructuredBuffer<uint2> _Facets;           // per triangle: patch, first row in _NormalFields or FLAT

@@ -69,9 +69,9 @@ void AddMissed(Cell cell)
     float side = SideOfCell(cell);
     Tube missed = (Tube)0;
     // Of a thin part between corners that see nothing only the weighted strength is known.
-    float2 strengths = StrengthLeft(LoadCorners(cell), cell).xy;
+    float2 strengths = LeftAt(LoadCorners(cell), cell).Missed;
     if (strengths.x == 0.0)
-        strengths = cell.Strength * float2(1.0, 1.0 / _Poses[s_pose].CrossWeight);
+        strengths = cell.Thinned * float2(1.0, 1.0 / _Poses[s_pose].CrossWeight);
     missed.CoPolar.x = strengths.x;
     missed.CrossPolar.x = strengths.y;
     missed.Corners01.x = side;

@@ -18,9 +18,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (IsEmpty(cell))
         return;
     cell.Strength = MISS;
-    cell.Bent = MISS;
+    cell.Thinned = MISS;
     if (HasVertex(cell))
     {
+        SetBent(cell, MISS);
         AddBorder(cell);
         return;
     }
@@ -30,12 +31,13 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         rays = CountOutlineRays(cell, corners.First);
     if (rays == TOO_MANY_RAYS)
     {
+        SetBent(cell, MISS);
         AddBorder(cell);
         return;
     }
     if (rays > 0 || corners.Common > cell.FirstBounce)
     {
-        uint centre = AddToList(TUBE_CENTRES, cell.IsDeep != 0, 1, _ListCapacity.w);
+        uint centre = AddToList(TUBE_CENTRES, IsDeep(cell), 1, _ListCapacity.w);
         _Centres[2 * centre] = index;
         _Centres[2 * centre + 1] = 0;
         if (rays > 0)
@@ -44,9 +46,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (corners.AreSame)
         return;
-    float3 left = StrengthLeft(corners, cell);
-    cell.Strength = max(left.x, _Poses[s_pose].CrossWeight * left.y);
-    cell.Bent = left.z;
+    CurrentsLeft left = LeftAt(corners, cell);
+    cell.Strength = left.Strength;
+    cell.Thinned = left.Thinned;
+    SetBent(cell, left.Bent);
     AddBorder(cell);
 }
 

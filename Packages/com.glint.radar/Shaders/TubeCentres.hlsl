@@ -19,7 +19,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     CellCorners corners = LoadCorners(cell);
     float thin = asfloat(_Centres[2 * centre + 1]);
     uint common = thin > 0.0 ? 0 : corners.Common;
-    float2 left = thin;
+    float3 left = thin;      // as Strength, Thinned and Bent of a cell
     if (common > cell.FirstBounce)
     {
         uint firstBounce = cell.FirstBounce;
@@ -43,8 +43,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             }
             if (!goesOn)
             {
-                left = strength * weight * Thinning(SteepnessAt(tube, receivers), side)
-                    * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side));
+                left = strength * weight * float3(1.0, Thinning(SteepnessAt(tube, receivers), side),
+                    BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side));
                 break;
             }
             if (!ScatterTube(tube, at))
@@ -55,10 +55,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (thin == 0.0 && corners.AreSame && cell.FirstBounce >= common)
         return;
-    float3 atCorners = StrengthLeft(corners, cell);
-    left = max(left, float2(max(atCorners.x, _Poses[s_pose].CrossWeight * atCorners.y), atCorners.z));
-    cell.Strength = left.x;
-    cell.Bent = thin > 0.0 || cell.FirstBounce < common ? MISS : left.y;
+    CurrentsLeft atCorners = LeftAt(corners, cell);
+    cell.Strength = max(left.x, atCorners.Strength);
+    cell.Thinned = max(left.y, atCorners.Thinned);
+    SetBent(cell, thin > 0.0 || cell.FirstBounce < common ? MISS : max(left.z, atCorners.Bent));
     AddBorder(cell);
 }
 

@@ -6,7 +6,7 @@
 // Divides a cell into four of the next round.
 void Divide(Cell cell)
 {
-    uint first = AddToList(TUBE_NEXT_CELLS, cell.IsDeep != 0, BLOCK_CELLS, _ListCapacity.y);
+    uint first = AddToList(TUBE_NEXT_CELLS, IsDeep(cell), BLOCK_CELLS, _ListCapacity.y);
     if (first == _ListCapacity.y)
         return;
     for (uint i = 0; i < BLOCK_CELLS; i++)
@@ -17,7 +17,7 @@ void Divide(Cell cell)
         part.FirstBounce = cell.FirstBounce;
         part.Pose = cell.Pose;
         part.Whole = cell.Number;
-        part.IsDeep = cell.IsDeep;
+        part.Traits = cell.Traits & DEEP_CELL;
         _NextCells[first + i] = part;
     }
 }
@@ -35,7 +35,7 @@ void AddBorder(Cell cell)
         Divide(cell);
         return;
     }
-    uint border = AddToList(TUBE_UNCUT, cell.IsDeep != 0, 1, _ListCapacity.z);
+    uint border = AddToList(TUBE_UNCUT, IsDeep(cell), 1, _ListCapacity.z);
     if (border < _ListCapacity.z)
         _Borders[_ListCapacity.z + border] = cell;
 }

@@ -69,7 +69,16 @@ static const float CRUDE_ERROR = 0.25;
 bool IsSmall(Cell cell)
 {
     float side = SideOfCell(cell);
-    return CRUDE_ERROR * side * side * cell.Strength <= CellError();
+    return CRUDE_ERROR * side * side * cell.Thinned <= CellError();
+}
+
+// Notes whether bent phases make the error of a piece too large. bent: the largest one, as a fraction of its area, times the
+// strength.
+void SetBent(inout Cell cell, float bent)
+{
+    float side = SideOfCell(cell);
+    if (side * side * bent > CellError())
+        cell.Traits |= BENT_CELL;
 }
 
 bool CanDivide(Cell cell)
@@ -80,7 +89,7 @@ bool CanDivide(Cell cell)
 // Lists a cell among those through which a border runs.
 void ListBorder(Cell cell)
 {
-    uint border = AddToList(TUBE_BORDERS, cell.IsDeep != 0, 1, _ListCapacity.z);
+    uint border = AddToList(TUBE_BORDERS, IsDeep(cell), 1, _ListCapacity.z);
     if (border < _ListCapacity.z)
         _Borders[border] = cell;
 }
@@ -124,8 +133,7 @@ Border BorderOf(Cell cell)
             changes++;
         }
     }
-    float side = SideOfCell(cell);
-    border.IsCut = areTwo && changes == 2 && !IsSmall(cell) && side * side * cell.Bent <= CellError();
+    border.IsCut = areTwo && changes == 2 && !IsSmall(cell) && (cell.Traits & BENT_CELL) == 0;
     return border;
 }
 

@@ -72,7 +72,7 @@ namespace Glint.Tests
             {
                 Scene = scene, Radar = radar, Receivers = new[] { receiver },
                 Frequencies = new[] { Within(8e9, 12e9) }, MaxBounces = 4, HasEdges = target != "plate",
-                ToleranceDb = new[] { 0.1, 0.3, 1 }[number % 3]
+                ToleranceDb = new[] { 0.1, 0.3, 1 }[number % 3], Polarisations = Polarisation.All
             };
             if (IsNear(target))
                 pose.Range = Math.Exp(Within(Math.Log(MinRange), Math.Log(MaxRange)));

@@ -34,8 +34,8 @@ namespace Glint.Tests
             var cell = new TubeCell
             {
                 Position = uint2(25, 26), Level = 27, FirstBounce = 28, Signatures = uint4(29, 30, 31, 32),
-                Strength = 33, Bent = 34, Crossings = uint2(35, 36), Pose = 161, Number = 162, Whole = 163,
-                IsDeep = 164
+                Strength = 33, Thinned = 34, Crossings = uint2(35, 36), Pose = 161, Number = 162, Whole = 163,
+                Traits = 164
             };
             var piece = new EdgePiece
             {

@@ -32,8 +32,8 @@ namespace Glint
         public uint2 Position;
         public uint Level, FirstBounce;
         public uint4 Signatures;
-        public float Strength, Bent;
+        public float Strength, Thinned;
         public uint2 Crossings;
-        public uint Pose, Number, Whole, IsDeep;
+        public uint Pose, Number, Whole, Traits;
     }
 }
