@@ -61,25 +61,33 @@ namespace Glint.Tests
             Assert.Multiple(() =>
             {
                 AssertAboutTrue(all.Where(sample => !sample.IsCross && sample.Said > 0).ToArray(), count);
-                // Of many poses HV and VH are rounded zeros.
-                AssertAboutTrue(all.Where(sample => sample.IsCross
+                // Of many poses HV and VH are rounded zeros. What their errors leave out is in rcs.md.
+                AssertWithinTolerance(all.Where(sample => sample.IsCross
                     && Math.Max(sample.Said, sample.True) > MinCrossError * sample.Allowed).ToArray(), count);
             });
         }
 
+        // Shares of a part of the table scatter.
+        static double ScatterOf(int count) => count < PosesOfABody ? 0.04 : 0;
+
         static void AssertAboutTrue(Sample[] samples, int count)
         {
             double Share(Func<Sample, bool> isOne) => samples.Count(isOne) / (double)samples.Length;
-            TestContext.WriteLine(Table(samples));
-            TestContext.WriteLine(string.Join("\n", samples.Where(sample => sample.Ratio > 3)));
-            // Shares of a part of the table scatter. What is above 3 has its causes in rcs.md.
-            double scatter = count < PosesOfABody ? 0.04 : 0;
+            // What is above 3 has its causes in rcs.md.
+            double scatter = ScatterOf(count);
             Assert.That(Share(sample => sample.Ratio >= 1 / 3.0 && sample.Ratio <= 3), Is.GreaterThanOrEqualTo(0.8 - scatter));
             Assert.That(Share(sample => sample.Ratio > 3), Is.LessThanOrEqualTo(0.01 + scatter));
             Assert.That(Share(sample => sample.Ratio > 10), Is.Zero);
+            AssertWithinTolerance(samples, count);
+        }
+
+        static void AssertWithinTolerance(Sample[] samples, int count)
+        {
+            TestContext.WriteLine(Table(samples));
+            TestContext.WriteLine(string.Join("\n", samples.Where(sample => sample.Ratio > 3)));
             var met = samples.Where(sample => sample.IsMet).ToArray();
             Assert.That(met.Count(sample => sample.True <= sample.Allowed),
-                Is.GreaterThanOrEqualTo((0.95 - scatter) * met.Length));
+                Is.GreaterThanOrEqualTo((0.95 - ScatterOf(count)) * met.Length));
         }
 
         static string Table(IEnumerable<Sample> samples) => string.Join("\n", samples.GroupBy(sample => sample.Target)

@@ -41,9 +41,9 @@ namespace Glint.Editor
         /// <summary>The error asked for, decibels.</summary>
         public static readonly Option<double> Tolerance = Options.Number("tolerance", "DB", "0.1",
             CrossSectionRanges.Tolerance, Group, InputKind.Any,
-            "The error asked for in dB: 95 % of the amplitudes are within it, for both VV and HH. It is the error of "
-                + "the integration, not of physical optics. Rays are traced until it is met; rows that do not meet it "
-                + "are marked (column tolerance_met).");
+            "The error asked for in dB: 95 % of the amplitudes are within it, of each polarisation that is written. It is "
+                + "the error of the integration, not of physical optics. Rays are traced until it is met; rows that do "
+                + "not meet it are marked (column tolerance_met). Weak cross-polarised echoes take many rays.");
 
         /// <summary>Level below which the tolerance is relative to this level, dBsm; null when not given.</summary>
         public static readonly Option<double?> Floor =
