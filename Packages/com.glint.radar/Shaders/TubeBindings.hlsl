@@ -75,9 +75,9 @@ struct Tube
 };
 
 // Larger magnitude of two complex numbers.
-float LargerOf(float4 two)
+float LargerOf(float4 pair)
 {
-    return sqrt(max(dot(two.xy, two.xy), dot(two.zw, two.zw)));
+    return sqrt(max(dot(pair.xy, pair.xy), dot(pair.zw, pair.zw)));
 }
 
 // Largest magnitudes of p.C times area a base cell, m2: of VV and HH, of HV and VH.
