@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Glint.Core;
 using Spectre.Console;
 using static Glint.Cli.TableText;
 
