@@ -86,7 +86,8 @@ float2 MagnitudesOf(Tube tube)
     return float2(LargerOf(tube.CoPolar), LargerOf(tube.CrossPolar));
 }
 
-static const uint DEEP_CELL = 1, BENT_CELL = 2;
+static const uint DEEP_CELL = 1;           // bits of Cell.Traits
+static const uint BENT_CELL = 2;
 
 // A cell of the grid.
 struct Cell
