@@ -90,7 +90,6 @@ void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     // A ray is a phasor of one.
     cell.Strength = 1.0;
-    cell.Thinned = 1.0;
     float side = SideOfCell(cell);
     uint signature = _Points[cell.Signatures.x * _PointWords];
     bool isSame = true;
@@ -101,13 +100,9 @@ void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if (cell.Level >= _EmptyLevel || !MayReceive(cell.Signatures, side, cell.Level) && !IsRevealed(cell))
             return;
         cell.Strength = MISS;
-        cell.Thinned = MISS;
     }
     else if (IsRevealed(cell))
-    {
         cell.Strength = MISS;
-        cell.Thinned = MISS;
-    }
     else if (isSame)
     {
         Return ray = Follow(CentreOfCell(cell), NO_POINT);
@@ -129,6 +124,7 @@ void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         }
         SetBent(cell, MISS);
     }
+    cell.Thinned = cell.Strength;
     ListBorder(cell);
 }
 

@@ -199,6 +199,12 @@ float WeightOf(float crossPart)
     return max(1.0, _Poses[s_pose].CrossWeight * crossPart);
 }
 
+// The same at a hit. First attempts need no cross-polarised part.
+float WeightAt(TubePath tube, SurfacePoint at, uint receivers)
+{
+    return _Poses[s_pose].CrossWeight > 1.0 ? WeightOf(CrossPartAt(tube, at, receivers)) : 1.0;
+}
+
 // The smallest phase gradient towards the receivers, m a base cell.
 float SteepnessAt(TubePath tube, uint receivers)
 {

@@ -58,7 +58,7 @@ static const float MAX_HIDDEN_ERROR = 8.0;
 bool HidesCurrents(TubePath tube, SurfacePoint at, uint receivers, float side)
 {
     float strength = Thinning(SteepnessAt(tube, receivers), side) * StrengthAt(tube, at, receivers);
-    return CRUDE_ERROR * side * side * strength * WeightOf(CrossPartAt(tube, at, receivers))
+    return CRUDE_ERROR * side * side * strength * WeightAt(tube, at, receivers)
         > MAX_HIDDEN_ERROR * CellError();
 }
 

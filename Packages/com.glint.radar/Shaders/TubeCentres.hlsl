@@ -32,7 +32,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             uint bounce = tube.Path.Bounces - 1, receivers = ReceiversOf(tube, at);
             Sign(tube, receivers);
-            float strength = StrengthAt(tube, at, receivers), weight = WeightOf(CrossPartAt(tube, at, receivers));
+            float strength = StrengthAt(tube, at, receivers), weight = WeightAt(tube, at, receivers);
             bool goesOn = bounce < common
                 && _Corners[corners.Elements.x + min(bounce, common - 1)].Signature == tube.Signature;
             corners.AreSame = corners.AreSame && goesOn;

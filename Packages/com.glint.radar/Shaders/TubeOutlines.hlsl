@@ -39,7 +39,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     Sign(tube, receivers);
     if (all(met != tube.Signature))
     {
-        float strength = StrengthAt(tube, at, receivers) * WeightOf(CrossPartAt(tube, at, receivers));
+        float strength = StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers);
         InterlockedMax(_Centres[2 * ray.x + 1], asuint(strength));
     }
 }

@@ -122,7 +122,7 @@ All {rows} rows of the {Cases.Length} cases that [rcs.md](rcs.md#validation) nam
 
 writes this page again. Without the variable the same tests trace each row and compare it with the page. A value that differs from the printed one by more than {StaleTolerance} times the tolerance fails, and so does a missing row.
 
-- **Expected** values and tolerances are those of `Tests/EditMode/CrossSection/CrossSectionCases.txt`. Tolerances grow towards nulls, where 1/1000 of the case's largest amplitude is many decibels. A pose is traced with {CrossSectionCaseTests.PartOfTolerance} of the smallest tolerance of its rows, and for VH and HV with {CrossSectionCaseTests.CrossToleranceDb} dB. -120 dBsm stands for no echo.
+- **Expected** values and tolerances are those of `Tests/EditMode/CrossSection/CrossSectionCases.txt`. Tolerances grow towards nulls, where 1/1000 of the case's largest amplitude is many decibels. A pose is traced with {CrossSectionCaseTests.PartOfTolerance} of the smallest tolerance of its rows, VV and HH apart from VH and HV. -120 dBsm stands for no echo.
 - **Directions** are theta, from the vertical, and phi to the radar, in degrees; after ""to"" those to the receiver, where it is elsewhere ([conventions](rcs.md#conventions)). Conditions that differ within a case follow.
 - **Error said** is the standard error of the integration in decibels of this amplitude.
 - **Tubes, rays and ms** are those of the whole pose, which its rows share. A tube counts once for each bounce and receiver. Rays include those that look for borders. The time is that of a second trace, whose scene is on the device.
@@ -148,8 +148,8 @@ Measured on {SystemInfo.graphicsDeviceName} with {Environment.ProcessorCount} pr
         // The cells that tell a row: case, directions, polarisation, published value and tolerance.
         static string[] Labels(string name, PublishedRow row, PublishedRow[] ofCase) => new[]
         {
-            name, string.Join(", ", row.Conditions.Except(Shared(ofCase)).Prepend(row.Directions)), row.Polarisation,
-            Text(row.Dbsm, "0.0000"), Text(row.ToleranceDb, "0.00")
+            name, string.Join(", ", row.Conditions.Except(Shared(ofCase)).Prepend(row.Directions)),
+            row.Polarisation.Name.ToUpperInvariant(), Text(row.Dbsm, "0.0000"), Text(row.ToleranceDb, "0.00")
         };
 
         static IEnumerable<string> Shared(PublishedRow[] ofCase) =>

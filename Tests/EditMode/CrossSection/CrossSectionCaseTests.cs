@@ -18,11 +18,8 @@ namespace Glint.Tests
     {
         const string Folder = "Packages/com.glint.tests/EditMode/CrossSection/";
 
-        /// <summary>Part of a row's tolerance that a trace has, which is that of VV and HH.</summary>
+        /// <summary>Part of a row's tolerance that a trace has.</summary>
         public const double PartOfTolerance = 0.6;
-
-        /// <summary>Tolerance of a trace for cross-polarised echoes, which are weaker.</summary>
-        public const double CrossToleranceDb = 0.005;
 
         static readonly Lazy<string[]> s_lines = new Lazy<string[]>(() =>
             AssetDatabase.LoadAssetAtPath<TextAsset>(Folder + "CrossSectionCases.txt").text
@@ -44,7 +41,7 @@ namespace Glint.Tests
             var published = RowsOf(name);
             var traced = new List<CrossSectionCaseRow>();
             // Receivers of the same wave share a trace.
-            foreach (var wave in published.GroupBy(row => (row.Wave, row.IsCrossPolarised)))
+            foreach (var wave in published.GroupBy(row => (row.Wave, row.Polarisation.IsCross)))
             {
                 var receivers = wave.GroupBy(row => row.Receiver).ToArray();
                 var pose = wave.First().Pose();
@@ -52,12 +49,13 @@ namespace Glint.Tests
                     (scene, _mesh) = (pose.Scene, wave.First().Target);
                 pose.Scene = scene;
                 pose.Receivers = receivers.Select(rows => rows.First().ReceiverAspect()).ToArray();
-                pose.ToleranceDb = wave.Key.IsCrossPolarised ? CrossToleranceDb
-                    : PartOfTolerance * wave.Min(row => row.ToleranceDb);
+                pose.Polarisations = Polarisation.All.Intersect(wave.Select(row => row.Polarisation)).ToArray();
+                pose.ToleranceDb = PartOfTolerance * wave.Min(row => row.ToleranceDb);
                 var result = Trace(pose, out double milliseconds);
+                var errors = wave.Key.IsCross ? result.CrossErrors : result.Errors;
                 for (int i = 0; i < receivers.Length; i++)
                     traced.AddRange(receivers[i].Select(row => new CrossSectionCaseRow(name, row,
-                        PublishedRow.Of(result.S[i, 0], row.Polarisation), result.Errors[i, 0], result, milliseconds)));
+                        row.Polarisation.Of(result.S[i, 0]), errors[i, 0], result, milliseconds)));
             }
             _traced.AddRange(traced.OrderBy(row => Array.IndexOf(published, row.Row)));
             Assert.That(traced.Where(row => !row.IsWithinTolerance), Is.Empty);
@@ -103,7 +101,7 @@ namespace Glint.Tests
             for (int i = 0; i < rows.Length; i++)
             {
                 double angle = 15 * (i / 2);
-                double dbsm = ScatteringMatrix.Dbsm(PublishedRow.Of(result.S[i / 2, 0], rows[i].Polarisation));
+                double dbsm = ScatteringMatrix.Dbsm(rows[i].Polarisation.Of(result.S[i / 2, 0]));
                 TestContext.WriteLine(FormattableString.Invariant(
                     $"| {angle} | {rows[i].Polarisation} | {rows[i].Dbsm:0.000} | {dbsm:0.000} | {dbsm - rows[i].Dbsm:+0.000;-0.000} |"));
                 Assert.That(dbsm, Is.EqualTo(rows[i].Dbsm)

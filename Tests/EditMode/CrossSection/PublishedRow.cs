@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Linq;
-using System.Numerics;
 using Glint.Core;
 using Glint.Reference;
 using static Unity.Mathematics.math;
@@ -43,9 +42,7 @@ namespace Glint.Tests
 
         public (string, string) Receiver => (_fields[4], _fields[5]);
 
-        public string Polarisation => _fields[10];
-
-        public bool IsCrossPolarised => Polarisation == "HV" || Polarisation == "VH";
+        public Polarisation Polarisation => Polarisation.Read(_fields[10].ToLowerInvariant())[0];
 
         public double Dbsm => Number(11);
 
@@ -79,14 +76,6 @@ namespace Glint.Tests
             return new RadarAspect(double3(sinT * cosP, cosT, sinT * sinP),
                 double3(-cosT * cosP, sinT, -cosT * sinP), double3(-sinP, 0, cosP));
         }
-
-        public static Complex Of(in ScatteringMatrix s, string polarisation) => polarisation switch
-        {
-            "VV" => s.VV,
-            "HV" => s.HV,
-            "VH" => s.VH,
-            _ => s.HH
-        };
 
         // metal: a layer of e' - j e'', mu' - j mu'' and a thickness in metres on metal; open: a half-space.
         SurfaceMaterial Material()

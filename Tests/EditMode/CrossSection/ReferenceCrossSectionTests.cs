@@ -96,7 +96,7 @@ namespace Glint.Tests
         public void Reference_PublishedValue_IsMet(string text)
         {
             var row = new PublishedRow(text);
-            Assert.That(ScatteringMatrix.Dbsm(PublishedRow.Of(Compute(row.Pose()), row.Polarisation)),
+            Assert.That(ScatteringMatrix.Dbsm(row.Polarisation.Of(Compute(row.Pose()))),
                 Is.EqualTo(row.Dbsm).Within(row.ToleranceDb));
         }
 
