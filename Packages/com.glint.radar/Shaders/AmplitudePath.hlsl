@@ -192,7 +192,7 @@ Return Follow(float2 position, uint recorded)
     return result;
 }
 
-uint SignatureAt(float2 position)
+uint SignatureAt(float2 position, Cell cell)
 {
     return Follow(position, NO_POINT).Signature;
 }

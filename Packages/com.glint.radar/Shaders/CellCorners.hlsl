@@ -56,6 +56,20 @@ CellCorners LoadCorners(inout Cell cell)
     return corners;
 }
 
+// Signatures of the paths of the corners, which tell facets apart too.
+uint4 FineSignatures(CellCorners corners)
+{
+    uint4 signatures = NO_SIGNATURE;
+    [unroll]
+    for (uint i = 0; i < 4; i++)
+        if (corners.Bounces[i] > 0)
+        {
+            Corner corner = _Corners[corners.Elements[i] + corners.Bounces[i] - 1];
+            signatures[i] = FineSignature(corner.Signature, FacetsOf(corner));
+        }
+    return signatures;
+}
+
 // What the corners have met at bounces that are not summed yet: the largest of each.
 struct CurrentsLeft
 {
@@ -74,7 +88,7 @@ CurrentsLeft LeftAt(CellCorners corners, Cell cell)
         {
             Corner corner = _Corners[corners.Elements[i] + bounce];
             float crossPart = CrossPartOf(corner), thinning = Thinning(f16tof32(corner.Changes), side),
-                bent = min(1.0, side * side * f16tof32(corner.Changes >> 16)),
+                bent = BentPieceError(side * side * f16tof32(corner.Changes >> 16)),
                 strength = corner.Strength * WeightOf(crossPart);
             most.Strength = max(most.Strength, strength);
             most.Thinned = max(most.Thinned, strength * thinning);

@@ -158,7 +158,8 @@ float Thinning(float gradient, float side)
 // In m2 a base cell: smaller currents may be rounded to 0.
 static const float MIN_CURRENTS = 1.0e-30;
 
-// About the largest p.C of a hit, m2 a base cell: that of a conductor.
+// About the largest p.C of a hit, m2 a base cell: that of a conductor. Its currents along the plane of incidence are those
+// that do not fall with the cosine of the incidence angle; towards a receiver along them they radiate nothing.
 float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
 {
     if (at.IsLost)
@@ -166,6 +167,7 @@ float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
     float3 d = tube.Path.Ray.Direction;
     float cosine = -dot(d, at.Normal), section = abs(Section(tube.PlaceU, tube.PlaceV, d));
     float scale = FadeOf(at) * sqrt(abs(tube.StartSection) * section) / cosine;
+    float3 across = AcrossIncidence(d, at.Normal, tube.V);
     float strength = 0.0;
     [loop]
     for (uint index = 0; index < _ReceiverCount; index++)
@@ -173,7 +175,8 @@ float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
         if ((receivers >> index & 1) == 0)
             continue;
         Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
-        strength = max(strength, receiver.Strength * (cosine + abs(dot(receiver.Direction, at.Normal))));
+        float2 aside = float2(dot(receiver.Direction, at.Normal), dot(receiver.Direction, across));
+        strength = max(strength, receiver.Strength * (cosine + length(aside)));
     }
     return scale * strength;
 }
@@ -218,18 +221,27 @@ float SteepnessAt(TubePath tube, uint receivers)
 
 static const uint NO_TUBE = 0xffffffff;
 
-// Sets what the currents of a tube change along u, 0, or along v, 1: see _TubeExtras.
-void SetSlope(uint tube, uint axis, float4 coPolar, float4 crossPolar)
+// What the currents of a tube change along u and v: see _TubeExtras.
+struct Changes
 {
-    uint row = FirstExtra(tube) + 1 + axis;
-    _TubeExtras[row] = coPolar;
-    _TubeExtras[row + 2] = crossPolar;
+    float4 CoPolar[2];
+    float4 CrossPolar[2];
+};
+
+void SetChanges(uint tube, Changes changes)
+{
+    [unroll]
+    for (uint axis = 0; axis < 2; axis++)
+    {
+        _TubeExtras[TUBE_EXTRAS * tube + 1 + axis] = changes.CoPolar[axis];
+        _TubeExtras[TUBE_EXTRAS * tube + 3 + axis] = changes.CrossPolar[axis];
+    }
 }
 
 // Part: see _TubeParts. Rate: see RateOf. Returns its number, or NO_TUBE.
 uint AddTube(Tube tube, uint part, float3 rate)
 {
-    uint bounces = tube.Tag >> 8 & 0xff;
+    uint bounces = BounceOf(tube);
     if (bounces != _OnlyBounce && _OnlyBounce != 0)
         return NO_TUBE;
     uint at;
@@ -245,9 +257,7 @@ uint AddTube(Tube tube, uint part, float3 rate)
     if (_HasParts != 0)
         _TubeParts[at] = part;
     if (_IsMoving != 0)
-        _TubeExtras[FirstExtra(at)] = float4(rate, 0.0);
-    for (uint axis = 0; axis < 2 && _IsNear != 0; axis++)
-        SetSlope(at, axis, 0.0, 0.0);
+        _TubeExtras[TUBE_EXTRAS * at] = float4(rate, 0.0);
     return at;
 }
 

@@ -38,7 +38,7 @@ static const uint EACH_FREQUENCY = 0x100;  // in s_slots: is to be evaluated at 
 // Phase between the middle of a piece and its farthest end, rad.
 float PhaseExtent(Tube tube, float k, float2 w)
 {
-    uint count = tube.Tag >> 16;
+    uint count = CornersOf(tube);
     if (count == EDGE_CORNERS)
         return abs(0.5 * tube.Corners01.x * w.x) + k * abs(tube.Corners01.y);
     if (count == 0)
@@ -49,12 +49,12 @@ float PhaseExtent(Tube tube, float k, float2 w)
 }
 
 // Largest change of the currents over a square (_TubeExtras).
-float LargestSlope(uint index)
+float LargestSlope(Tube tube, uint index)
 {
     float largest = 0.0;
-    for (uint row = 1; row < NEAR_EXTRAS && _IsNear != 0; row++)
+    for (uint row = 1; row < TUBE_EXTRAS && HasChanges(tube); row++)
     {
-        float4 slope = _TubeExtras[FirstExtra(index) + row];
+        float4 slope = _TubeExtras[TUBE_EXTRAS * index + row];
         largest = max(largest, dot(slope, slope));
     }
     return sqrt(largest);
@@ -69,7 +69,7 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
     float metres = tube.Phase;
     if (_IsMoving != 0)
     {
-        float3 rate = _TubeExtras[FirstExtra(index)].xyz;
+        float3 rate = _TubeExtras[TUBE_EXTRAS * index].xyz;
         turns = Add(turns, Mul(Mul(turnsPerMetre, centre.w), rate.z));
         gradient += centre.w * rate.xy;
         metres += centre.w * rate.z;
@@ -120,7 +120,7 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
         * (length(atCentre) + size.z * length(slope) + size.z * size.z * length(curve)) + length(bent) + length(crossBent);
     float phase = PhaseExtent(tube, centre.x, centre.x * gradient) * size.z * step.x / centre.x;
     bool isEach = overflow != 0 || IsNaN(largest) || largest > MAX_BAND_UNITS || phase > MAX_BAND_PHASE
-        || LargestSlope(index) > MAX_BAND_SLOPE * magnitude;
+        || LargestSlope(tube, index) > MAX_BAND_SLOPE * magnitude;
     return (tube.Tag & 0xff) | (isEach ? EACH_FREQUENCY : 0);
 }
 

@@ -63,7 +63,8 @@ struct Tube
 {
     float2 Gradient;      // of the phase along the grid, m a base cell
     float Phase;          // distance to the receiver less path length at the place of the ray, m
-    uint Tag;             // slot of all poses (SlotOf) | bounce << 8 | corners << 16; no corners: a square about the ray
+    uint Tag;             // slot of all poses (SlotOf) | bounce << 8 | corners << 16 (none: a square about the ray) |
+                          // CHANGES: its currents change along it, by _TubeExtras
     float4 CoPolar;       // p.C times area a base cell, m2: VV, HH
     float4 CrossPolar;    // HV, VH
     float4 Corners01;     // of the polygon, from the place of the ray; of a square its side and bends, m; of an edge its
@@ -72,7 +73,27 @@ struct Tube
     float2 Corner4;
     float Error;          // area by which the piece may be off, base cells; of an edge its length, m
     float Bent;           // relative error by the bent phase, at the highest frequency
+    float3 Bends;         // of a polygon: second derivatives of the phase by u, by v and by both, m a base cell squared
+    uint Slope;           // of a polygon: of its strength by u and v, as a fraction of p.C a base cell, two float16
 };
+
+static const uint CHANGES = 0x1000000;
+
+// EDGE_CORNERS: an edge.
+uint CornersOf(Tube tube)
+{
+    return tube.Tag >> 16 & 0xff;
+}
+
+uint BounceOf(Tube tube)
+{
+    return tube.Tag >> 8 & 0xff;
+}
+
+bool HasChanges(Tube tube)
+{
+    return (tube.Tag & CHANGES) != 0;
+}
 
 // Larger magnitude of two complex numbers.
 float LargerOf(float4 pair)
@@ -88,6 +109,7 @@ float2 MagnitudesOf(Tube tube)
 
 static const uint DEEP_CELL = 1;           // bits of Cell.Traits
 static const uint BENT_CELL = 2;
+static const uint KINKED_CELL = 4;
 
 // A cell of the grid.
 struct Cell
@@ -103,7 +125,8 @@ struct Cell
     uint Number;          // in its round
     uint Whole;           // number in the round before of the cell that it is a part of
     uint Traits;          // DEEP_CELL: a ray through a corner of it, or of the cell that it is a part of, bounces more than
-                          // once; BENT_CELL: bent phases make the error of a piece too large
+                          // once; BENT_CELL: bent phases make the error of a piece too large; KINKED_CELL: the rays through its
+                          // corners met the same patches, but several facets: its signatures tell facets apart
 };
 
 bool IsDeep(Cell cell)
@@ -281,21 +304,16 @@ RWStructuredBuffer<Tube> _Tubes;
 RWStructuredBuffer<uint> _TubeParts;       // of each tube: the triangle, or the edges of an object
 uint _HasParts;                            // 0: they are not asked for
 
-// Of each tube its rate, only if something moves: see RateOf. At a finite range this row is there in any case, and behind it
-// are halves of the differences of CoPolar from side to side of a square or edge, along u and along v; then of CrossPolar.
+// Rows of each tube. Its rate, if something moves: see RateOf. If it has CHANGES, those of CoPolar along u and along v, then of
+// CrossPolar: over half of a square or edge, or over a base cell.
 RWStructuredBuffer<float4> _TubeExtras;
-static const uint NEAR_EXTRAS = 5;         // rows of a tube at a finite range
-
-uint FirstExtra(uint tube)
-{
-    return _IsNear != 0 ? NEAR_EXTRAS * tube : tube;
-}
+static const uint TUBE_EXTRAS = 5;
 
 // GLINT_CORNER: what the ray through a corner of a cell has met at a bounce (Runtime/CrossSection/Tube.cs).
 struct Corner
 {
     uint Signature;       // of the path up to it
-    uint Bounces;         // in the first element of a corner: those of its ray; upper half: CrossPartAt as float16
+    uint Traits;          // in the first element of a corner: bounces of its ray; eight bits: CrossPartAt; sixteen: FacetsOf
     float Strength;
     uint Changes;         // as float16: SteepnessAt, and BentOf in the upper half
     float4 Position;      // relative to the scene's centre, m; w: RelativeLength of the path
@@ -305,12 +323,17 @@ struct Corner
 
 uint BouncesOf(Corner corner)
 {
-    return corner.Bounces & 0xffff;
+    return corner.Traits & 0xff;
 }
 
 float CrossPartOf(Corner corner)
 {
-    return f16tof32(corner.Bounces >> 16);
+    return (corner.Traits >> 8 & 0xff) / 255.0;
+}
+
+uint FacetsOf(Corner corner)
+{
+    return corner.Traits >> 16;
 }
 
 RWStructuredBuffer<Corner> _Corners;       // _MaxBounces elements a corner

@@ -27,7 +27,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if (!border.IsCut || (crossing & NO_CROSSING) != 0)
             break;
         float fraction = (crossing + 0.5) * asfloat((127 - step) << 23);
-        uint signature = SignatureAt(CentreOfCell(cell) + PlaceOnSide(border, which, fraction, side));
+        uint signature = SignatureAt(CentreOfCell(cell) + PlaceOnSide(border, which, fraction, side), cell);
         rays++;
         if (signature == border.SignatureBefore)
             crossing = 2 * crossing + 1;

@@ -1,12 +1,12 @@
 #ifndef GLINT_TUBE_BORDERS
 #define GLINT_TUBE_BORDERS
 
-#include "CellCorners.hlsl"
+#include "TubePieces.hlsl"
 #include "TubeDivisions.hlsl"
 #include "Sums.hlsl"
 
-// Cuts border cells in two along the border, sums small ones as a whole, and divides those whose border is not straight. One
-// thread a border cell.
+// Cuts border cells in two along the border, sums small ones as a whole, and divides those whose border is not straight or
+// whose pieces are bent too much. One thread a border cell.
 
 static const uint NO_BORDER = 0xffffffff;
 
@@ -30,6 +30,10 @@ struct BorderBend
 
 // Rays that find it: in the middle, a width beside it, and halfway.
 static const uint BEND_RAYS = 3;
+
+// Then a ray in each piece, which is followed to find its error, and again to sum it.
+static const uint PIECES = 2;
+static const uint ALL_BOUNCES = 0xffffffff;
 
 // Where the next ray looks, widths from the chord.
 float NextOffset(BorderBend bend, uint ray)
@@ -83,6 +87,21 @@ void AddMissed(Cell cell)
     }
 }
 
+// Sets the polygon of a tube, about its ray.
+void SetPiece(inout Tube currents, Piece piece, float2 origin, float side)
+{
+    if (piece.Count == 0)
+    {
+        currents.Corners01 = float4(side, 0.0, 0.0, 0.0);
+        currents.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
+        return;
+    }
+    currents.Tag |= piece.Count << 16;
+    currents.Corners01 = float4(piece.Corners[0] - origin, piece.Corners[1] - origin);
+    currents.Corners23 = float4(piece.Corners[2] - origin, piece.Corners[3] - origin);
+    currents.Corner4 = piece.Corners[4] - origin;
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -108,21 +127,32 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     // Unit vector across the chord, to the side of SignatureBefore.
     float2 across = float2(-chord.y, chord.x) / max(length(chord), 1.0e-20);
     BorderBend bend = (BorderBend)0;
-    uint checks = isCut ? BEND_RAYS : 0, end = isCut ? BEND_RAYS + 2 : 1;
-    uint rays = 0;
-    bool isSummed = false, isHidden = false;
+    uint checks = isCut ? BEND_RAYS : 0, fits = isCut && canDivide ? PIECES : 0;
+    CellCorners corners = (CellCorners)0;
+    if (isCut)
+    {
+        Cell known = cell;
+        corners = LoadCorners(known);
+    }
+    // end: bounce from which on a piece is bent too much to be summed
+    uint rays = 0, end = ALL_BOUNCES;
+    bool isSummed = false, isHidden = false, isBent = false;
     [loop]
-    for (uint ray = 0; ray < end; ray++)
+    for (uint ray = 0; ray < checks + fits + (isCut ? PIECES : 1); ray++)
     {
         if (ray == checks && !isStraight && canDivide)
             break;
+        // Pieces of flat facets have no bends.
+        if (ray == checks && !isBent)
+            fits = 0;
         // Across the middle of the chord, to whose right the piece between lies; then in the two pieces.
+        bool isFit = ray >= checks && ray < checks + fits, isFirst = (ray - checks & 1) == 0;
         float2 shift = isStraight ? BEND_AREA * width * bend.Offset * across : 0.0;
         Piece piece = (Piece)0;
-        if (isCut && ray > checks)
-            piece = PieceBetween(first + shift, border.Sides.x, second + shift, border.Sides.y, side);
-        else if (isCut)
-            piece = PieceBetween(second + shift, border.Sides.y, first + shift, border.Sides.x, side);
+        uint startSide = isFirst ? border.Sides.y : border.Sides.x;
+        if (isCut && ray >= checks)
+            piece = isFirst ? PieceBetween(second + shift, startSide, first + shift, border.Sides.x, side)
+                : PieceBetween(first + shift, startSide, second + shift, border.Sides.y, side);
         float2 place = MiddleOf(piece);
         if (ray < checks)
             place = first + 0.5 * chord + width * NextOffset(bend, ray) * across;
@@ -141,35 +171,50 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 isHidden = true;
                 break;
             }
+            if (bounce >= end)
+                break;
+            bool isLeft = bounce >= cell.FirstBounce;
+            isBent = isBent || isLeft && BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side) > 0.0;
+            float strength = StrengthAt(tube, at, receivers);
             [loop]
-            for (uint number = 0; number < _ReceiverCount && ray >= checks && bounce >= cell.FirstBounce; number++)
+            for (uint number = 0; number < _ReceiverCount && ray >= checks && isLeft; number++)
                 if ((receivers >> number & 1) != 0)
                 {
                     Receiver receiver = ReceiverFrom(number, tube.Path.Ray.Origin);
-                    Tube currents = CurrentsAt(tube, at, number, receiver);
-                    currents.Tag |= piece.Count << 16;
-                    currents.Corners01 = float4(piece.Corners[0] - place, piece.Corners[1] - place);
-                    currents.Corners23 = float4(piece.Corners[2] - place, piece.Corners[3] - place);
-                    currents.Corner4 = piece.Corners[4] - place;
-                    if (piece.Count == 0)
+                    Tube currents = (Tube)0;
+                    if (!isFit)
+                        currents = CurrentsAt(tube, at, number, receiver);
+                    currents.Gradient = PhaseSlope(tube, receiver);
+                    currents.Phase = receiver.Phase - tube.Path.RelativeLength;
+                    currents.Bent = BentErrorAt(tube, at, receiver, side);
+                    if (isCut && isStraight)
+                        FitPiece(currents, piece, startSide, place, corners, tube, at, number, receiver,
+                            strength);
+                    if (isFit)
                     {
-                        currents.Corners01 = float4(side, 0.0, 0.0, 0.0);
-                        currents.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
+                        float area = AreaOf(piece, side) * Thinning(length(currents.Gradient), side);
+                        if (currents.Bent * area * strength * WeightAt(tube, at, receivers) > CellError())
+                            end = bounce;
+                        continue;
                     }
+                    SetPiece(currents, piece, place, side);
                     currents.Error = isCut && isStraight
                         ? BentAreaError(chord, directions, width, currents.Gradient)
                         : CRUDE_ERROR * AreaOf(piece, side) * Thinning(length(currents.Gradient), side);
-                    currents.Bent = BentErrorAt(tube, at, receiver, side);
-                    AddTube(currents, at.Part, RateTo(receiver, tube, at));
+                    AddChangingTube(currents, tube, at, number, receiver, receivers, strength, side,
+                        isCut ? 1.0 : 0.5 * side);
                     isSummed = true;
                 }
             if (!ScatterTube(tube, at))
                 break;
         }
         if (ray < checks)
-            isStraight = isStraight && FindBend(bend, ray, border, tube.Signature);
+            isStraight = isStraight && FindBend(bend, ray, border, SignatureIn(cell, tube));
     }
-    if (isHidden || !isStraight && canDivide)
+    // What was met before is summed.
+    if (end != ALL_BOUNCES)
+        cell.FirstBounce = end;
+    if (end != ALL_BOUNCES || isHidden || !isStraight && canDivide)
         Divide(cell);
     else if (!isCut && !isSummed)
         AddMissed(cell);

@@ -44,7 +44,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             if (!goesOn)
             {
                 left = strength * weight * float3(1.0, Thinning(SteepnessAt(tube, receivers), side),
-                    BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side));
+                    BentPieceError(side * side * BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin))));
                 break;
             }
             if (!ScatterTube(tube, at))
@@ -58,7 +58,13 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     CurrentsLeft atCorners = LeftAt(corners, cell);
     cell.Strength = max(left.x, atCorners.Strength);
     cell.Thinned = max(left.y, atCorners.Thinned);
-    SetBent(cell, thin > 0.0 || cell.FirstBounce < common ? MISS : max(left.z, atCorners.Bent));
+    bool isKinked = cell.FirstBounce < common && all(cell.Signatures == cell.Signatures.x);
+    if (isKinked)
+    {
+        cell.Signatures = FineSignatures(corners);
+        cell.Traits |= KINKED_CELL;
+    }
+    SetBent(cell, thin > 0.0 || cell.FirstBounce < common && !isKinked ? MISS : max(left.z, atCorners.Bent));
     AddBorder(cell);
 }
 

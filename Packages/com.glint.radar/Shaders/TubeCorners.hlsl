@@ -108,7 +108,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.Signature = tube.Signature;
         // Of what is hidden from all receivers a part between the corners may be seen, and as strong.
         uint seen = receivers != 0 ? receivers : ReceiversFaced(tube, at);
-        corner.Bounces = f32tof16(CrossPartAt(tube, at, seen)) << 16;
+        corner.Traits = (uint)ceil(255.0 * CrossPartAt(tube, at, seen)) << 8 | FacetsOf(tube) << 16;
         corner.Strength = StrengthAt(tube, at, seen);
         corner.Changes = HalfOf(SteepnessAt(tube, seen))
             | HalfOf(BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin))) << 16;
@@ -120,8 +120,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             break;
     }
     if (bounces > 0)
-        bounces |= _Corners[first].Bounces;
-    _Corners[first].Bounces = bounces;
+        bounces |= _Corners[first].Traits;
+    _Corners[first].Traits = bounces;
     if (position.IsCounted)
         AddTo(CountWord(POSE_RAYS), 1);
 }

@@ -188,9 +188,13 @@ void AddFringe(Tube fringe, EdgePiece piece, float2 part, uint index)
     fringe.Corners01.y = phase - fringe.Phase;
     fringe.Phase = phase;
     fringe.Gradient.x = (last.Phase - first.Phase) / (part.y - part.x);
+    Changes changes = (Changes)0;
+    changes.CoPolar[0] = 0.5 * (last.CoPolar - first.CoPolar);
+    changes.CrossPolar[0] = 0.5 * (last.CrossPolar - first.CrossPolar);
+    fringe.Tag |= CHANGES;
     uint added = AddTube(fringe, piece.Part, rate);
     if (added != NO_TUBE)
-        SetSlope(added, 0, 0.5 * (last.CoPolar - first.CoPolar), 0.5 * (last.CrossPolar - first.CrossPolar));
+        SetChanges(added, changes);
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]

@@ -26,31 +26,30 @@ uint ReceiversFaced(TubePath tube, SurfacePoint at)
     return receivers;
 }
 
-// Second derivative of the phase by u or v towards a receiver at a finite range, beside that of the wave that arrives, m: the
-// distance to the receiver is bent, and rays of a cone meet the facet at places that are not linear in u and v. placeBy, turnBy
-// and slope: derivatives of place, direction and phase.
-float NearBend(TubePath tube, SurfacePoint at, Receiver receiver, float3 placeBy, float3 turnBy, float slope)
-{
-    float along = dot(receiver.Direction, placeBy);
-    return (along * along - dot(placeBy, placeBy)) / receiver.Distance
-        - 2.0 * slope * dot(at.Normal, turnBy) / dot(at.Normal, tube.Path.Ray.Direction);
-}
-
-// Relative error of a piece of a cell of a side of one by the curvatures of surface and wave at a hit: its phase is taken as
-// linear.
-float BentOf(TubePath tube, SurfacePoint at, Receiver receiver)
+// Second derivatives of the phase at a hit by u, by v and by both, m a base cell squared, from the curvatures of surface and
+// wave.
+float3 PhaseBends(TubePath tube, SurfacePoint at, Receiver receiver)
 {
     float3 d = tube.Path.Ray.Direction;
-    float surface = (1.0 - dot(receiver.Direction, d)) / dot(at.Normal, d);
-    float bendU = surface * dot(at.NormalU, tube.PlaceU) - dot(tube.DirectionU, tube.PlaceU),
-        bendV = surface * dot(at.NormalV, tube.PlaceV) - dot(tube.DirectionV, tube.PlaceV);
-    if (_IsNear != 0)
-    {
-        float2 slope = PhaseSlope(tube, receiver);
-        bendU += NearBend(tube, at, receiver, tube.PlaceU, tube.DirectionU, slope.x);
-        bendV += NearBend(tube, at, receiver, tube.PlaceV, tube.DirectionV, slope.y);
-    }
-    return 0.06 * _WaveNumber * (abs(bendU) + abs(bendV));
+    float toNormal = dot(at.Normal, d), surface = (1.0 - dot(receiver.Direction, d)) / toNormal;
+    float3 bends = surface * float3(dot(at.NormalU, tube.PlaceU), dot(at.NormalV, tube.PlaceV), dot(at.NormalU, tube.PlaceV))
+        - float3(dot(tube.DirectionU, tube.PlaceU), dot(tube.DirectionV, tube.PlaceV), dot(tube.DirectionU, tube.PlaceV));
+    if (_IsNear == 0)
+        return bends;
+    // The distance to a receiver at a finite range is bent, and rays of a cone meet the facet at places that are not linear
+    // in u and v.
+    float2 slope = PhaseSlope(tube, receiver), along = slope + tube.LengthSlope;
+    float2 turns = float2(dot(at.Normal, tube.DirectionU), dot(at.Normal, tube.DirectionV)) / toNormal;
+    float3 squares = float3(along * along, along.x * along.y)
+        - float3(dot(tube.PlaceU, tube.PlaceU), dot(tube.PlaceV, tube.PlaceV), dot(tube.PlaceU, tube.PlaceV));
+    return bends + squares / receiver.Distance - float3(2.0 * slope * turns, slope.x * turns.y + slope.y * turns.x);
+}
+
+// Relative error of a piece of a cell of a side of one by the bends of its phase, if it is taken as linear.
+float BentOf(TubePath tube, SurfacePoint at, Receiver receiver)
+{
+    float3 bends = PhaseBends(tube, at, receiver);
+    return 0.06 * _WaveNumber * (abs(bends.x) + abs(bends.y));
 }
 
 // The same of a cell.
@@ -59,8 +58,31 @@ float BentErrorAt(TubePath tube, SurfacePoint at, Receiver receiver, float side)
     return min(1.0, side * side * BentOf(tube, at, receiver));
 }
 
-// Signature of the ray through a position of the grid.
-uint SignatureAt(float2 position)
+// Sixteen bits of the signature of the facets that a tube has met.
+uint FacetsOf(TubePath tube)
+{
+    return tube.Facets >> 16;
+}
+
+// Signature of a path, that of its patches, which tells facets apart too.
+uint FineSignature(uint signature, uint facets)
+{
+    return signature ^ (facets * 2654435769u);
+}
+
+bool IsKinked(Cell cell)
+{
+    return (cell.Traits & KINKED_CELL) != 0;
+}
+
+// Signature of a tube, beside those of a cell.
+uint SignatureIn(Cell cell, TubePath tube)
+{
+    return IsKinked(cell) ? FineSignature(tube.Signature, FacetsOf(tube)) : tube.Signature;
+}
+
+// Signature of the ray through a position of the grid, beside those of a cell.
+uint SignatureAt(float2 position, Cell cell)
 {
     TubePath tube = BeginTube(position);
     SurfacePoint at;
@@ -71,7 +93,7 @@ uint SignatureAt(float2 position)
         if (!ScatterTube(tube, at))
             break;
     }
-    return tube.Signature;
+    return SignatureIn(cell, tube);
 }
 
 // Makes its pose that of the thread.

@@ -14,9 +14,11 @@ struct TubePath
     float2 LengthSlope;             // of the path up to it by u, v, m a base cell
     float3 DirectionU, DirectionV;  // a base cell
     float3 V, H;                    // the polarisations sent, mirrored with the ray
+    float2 Roll;                    // of V towards H about the direction, beside what the direction's turn makes, rad a base cell
     float4 FieldV, FieldH;          // complex parts along V and H of the field for V sent, for H sent; without spread
     float StartSection;             // where the field would be 1, m2 a base cell
     uint Signature;                 // of the patches met, and who sees them
+    uint Facets;                    // that of the curved facets met, at whose sides curvatures change
     bool HasMetTarget;              // anything but a sea with a diffuse echo
     float3 Rate;                    // by the motion of what it was reflected by: see RateOf
 };
@@ -91,7 +93,11 @@ TubePath BeginTube(float2 position)
     tube.DirectionV = (pose.DirectionDy.xyz - d * dot(d, pose.DirectionDy.xyz)) / size;
     tube.V = pose.SentV;
     tube.H = pose.SentH.xyz;
+    // V stays in the plane of the antenna's V.
+    float3 turnedBy = d * dot(d, tube.V);
+    float lift = -dot(d, tube.V) / max(length(tube.V - turnedBy), 1.0e-6);
     TurnAcross(d, tube.V, tube.H);
+    tube.Roll = lift * float2(dot(tube.DirectionU, tube.H), dot(tube.DirectionV, tube.H));
     tube.FieldV = float4(1.0, 0.0, 0.0, 0.0);
     tube.FieldH = float4(0.0, 0.0, 1.0, 0.0);
     tube.StartSection = _IsNear != 0
@@ -106,10 +112,15 @@ float2 Quarter(float2 a)
     return float2(-a.y, a.x);
 }
 
+uint Mixed(uint signature, uint value)
+{
+    uint mixed = (signature ^ value) * 16777619u;
+    return (mixed ^ (mixed >> 13)) * 2246822519u;
+}
+
 void Sign(inout TubePath tube, uint value)
 {
-    uint mixed = (tube.Signature ^ value) * 16777619u;
-    tube.Signature = (mixed ^ (mixed >> 13)) * 2246822519u;
+    tube.Signature = Mixed(tube.Signature, value);
 }
 
 // Caustic lines that the tube passes over a distance: roots of its section, a quadratic function of the distance.
@@ -236,6 +247,7 @@ bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
     }
     tube.HasMetTarget = tube.HasMetTarget || !at.IsSea;
     Sign(tube, at.Patch);
+    tube.Facets = Mixed(tube.Facets, at.NormalField);
     return true;
 }
 
@@ -308,6 +320,9 @@ bool ScatterTube(inout TubePath tube, SurfacePoint at)
     float2 components = float2(dot(s, tube.V), dot(s, tube.H));
     tube.FieldV = ReflectField(tube.FieldV, components, reflection);
     tube.FieldH = ReflectField(tube.FieldH, components, reflection);
+    float alongV = dot(tube.V, n), alongH = dot(tube.H, n);
+    tube.Roll += 2.0 * (alongH * float2(dot(tube.V, at.NormalU), dot(tube.V, at.NormalV))
+        - alongV * float2(dot(tube.H, at.NormalU), dot(tube.H, at.NormalV)));
     tube.V = Mirrored(tube.V, n);
     tube.H = Mirrored(tube.H, n);
     float3 directionU = Mirrored(tube.DirectionU, n)

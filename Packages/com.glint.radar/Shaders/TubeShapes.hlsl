@@ -72,6 +72,12 @@ bool IsSmall(Cell cell)
     return CRUDE_ERROR * side * side * cell.Thinned <= CellError();
 }
 
+// Relative error of a piece whose bends are known, from that of one that is taken as linear.
+float BentPieceError(float bent)
+{
+    return min(bent, min(1.0, 0.2 * bent * bent));
+}
+
 // Notes whether bent phases make the error of a piece too large. bent: the largest one, as a fraction of its area, times the
 // strength.
 void SetBent(inout Cell cell, float bent)

@@ -99,41 +99,64 @@ float3 BendsOf(Bounce bounce, Receiver receiver)
 // What a ray beside a hit meets, some base cells away: the same, to first order.
 void MoveBeside(inout TubePath tube, inout SurfacePoint at, float2 step)
 {
-    float3 d = tube.Path.Ray.Direction, turn = step.x * tube.DirectionU + step.y * tube.DirectionV;
+    float3 d = tube.Path.Ray.Direction, turn = step.x * tube.DirectionU + step.y * tube.DirectionV, v = tube.V;
+    float roll = dot(step, tube.Roll);
     tube.Path.Ray.Origin += step.x * tube.PlaceU + step.y * tube.PlaceV;
     tube.Path.Ray.Direction = normalize(d + turn);
-    tube.V -= d * dot(turn, tube.V);
-    tube.H -= d * dot(turn, tube.H);
+    tube.V += roll * tube.H - d * dot(turn, tube.V);
+    tube.H -= roll * v + d * dot(turn, tube.H);
     at.Normal = normalize(at.Normal + step.x * at.NormalU + step.y * at.NormalV);
 }
 
-// Sets how the currents of a square's tube change from side to side, for the strength of its centre: directions and
-// polarisations at a finite range are those of each place.
-void SetSlopes(uint added, TubePath tube, SurfacePoint at, uint index, uint receivers, float strength, float side)
+// Whether currents at a hit change along the tube.
+bool IsChanging(TubePath tube, SurfacePoint at)
 {
-    if (_IsNear == 0 || added == NO_TUBE)
-        return;
+    return _IsNear != 0 || any(tube.Roll != 0.0) || any(at.NormalU != 0.0) || any(at.NormalV != 0.0)
+        || any(tube.DirectionU != 0.0) || any(tube.DirectionV != 0.0);
+}
+
+// How the currents of a tube change over a length by u and v, base cells, for the strength of its ray: directions and
+// polarisations are those of each place. reach: that length; side: of the cell. False if they are not known.
+bool FindChanges(out Changes changes, TubePath tube, SurfacePoint at, uint index, uint receivers, float strength, float side,
+    float reach)
+{
+    changes = (Changes)0;
+    if (!IsChanging(tube, at))
+        return false;
+    bool isKnown = true;
     [loop]
-    for (uint axis = 0; axis < 2; axis++)
+    for (uint place = 0; place < 4; place++)
     {
-        float4 coPolar = 0.0, crossPolar = 0.0;
-        [loop]
-        for (float sense = -1.0; sense <= 1.0; sense += 2.0)
+        uint axis = place >> 1;
+        float sense = 2.0 * (place & 1) - 1.0;
+        TubePath beside = tube;
+        SurfacePoint there = at;
+        MoveBeside(beside, there, 0.5 * side * sense * float2(1 - axis, axis));
+        float strengthThere = StrengthAt(beside, there, receivers);
+        // Past a silhouette there is nothing.
+        isKnown = isKnown && !IsNaN(strengthThere) && strengthThere > max(MIN_STRENGTH * strength, MIN_CURRENTS);
+        Tube currents = CurrentsAt(beside, there, index, ReceiverFrom(index, beside.Path.Ray.Origin));
+        float part = isKnown ? sense * reach / side * strength / strengthThere : 0.0;
+        [unroll]
+        for (uint each = 0; each < 2; each++)
         {
-            TubePath beside = tube;
-            SurfacePoint there = at;
-            MoveBeside(beside, there, 0.5 * side * sense * float2(1 - axis, axis));
-            float strengthThere = StrengthAt(beside, there, receivers);
-            // Past a silhouette there is nothing.
-            if (IsNaN(strengthThere) || strengthThere <= max(MIN_STRENGTH * strength, MIN_CURRENTS))
-                return;
-            Tube currents = CurrentsAt(beside, there, index, ReceiverFrom(index, beside.Path.Ray.Origin));
-            float part = 0.5 * sense * strength / strengthThere;
-            coPolar += part * currents.CoPolar;
-            crossPolar += part * currents.CrossPolar;
+            changes.CoPolar[each] += each == axis ? part * currents.CoPolar : 0.0;
+            changes.CrossPolar[each] += each == axis ? part * currents.CrossPolar : 0.0;
         }
-        SetSlope(added, axis, coPolar, crossPolar);
     }
+    return isKnown;
+}
+
+// Adds a tube whose currents may change along it: see FindChanges.
+void AddChangingTube(Tube currents, TubePath tube, SurfacePoint at, uint index, Receiver receiver, uint receivers,
+    float strength, float side, float reach)
+{
+    Changes changes;
+    bool isChanging = FindChanges(changes, tube, at, index, receivers, strength, side, reach);
+    currents.Tag |= isChanging ? CHANGES : 0;
+    uint added = AddTube(currents, at.Part, RateTo(receiver, tube, at));
+    if (isChanging && added != NO_TUBE)
+        SetChanges(added, changes);
 }
 
 static const uint NO_RECEIVER = 0xffffffff;
@@ -188,8 +211,7 @@ bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, fl
             currents.Corners01.x = side;
             currents.Corners23 = strength > max(MIN_STRENGTH * mean, MIN_CURRENTS) ? bounce.Strength / strength
                 : float4(1.0, 0.0, 0.0, 0.0);
-            uint added = AddTube(currents, at.Part, RateTo(receiver, tube, at));
-            SetSlopes(added, tube, at, index, receivers, strength, side);
+            AddChangingTube(currents, tube, at, index, receiver, receivers, strength, side, 0.5 * side);
         }
     return true;
 }

@@ -119,26 +119,92 @@ float2 SquareIntegral(float2 x, float3 bends, float4 strength)
         + strength.w * (ComplexMul(u.Along, v.Along) + float2(0.0, bends.z * u.Square * v.Square));
 }
 
-// Integral of exp(j w.x) over a convex polygon (Gordon 1975), w rad a base cell.
-float2 PolygonIntegral(float2 corners[5], uint count, float2 w)
+// A polynomial over a polygon, by which exp(j w.x) is multiplied: mean + slope.x + j x.H.x / 2, with H the bends by u, by v
+// and by both, rad.
+struct PieceField
 {
-    float2 sum = 0.0, moment = 0.0;
-    float area = 0.0;
+    float Mean;
+    float3 Bends;
+    float2 Slope;
+};
+
+float2 BendsTimes(PieceField field, float2 x)
+{
+    return float2(field.Bends.x * x.x + field.Bends.z * x.y, field.Bends.z * x.x + field.Bends.y * x.y);
+}
+
+// Integral over the triangle between 0 and an edge, twice its area apart, for a small phase: powers of w.x are integrated
+// along each line from 0, and Gauss's rule takes three of them.
+float2 TriangleIntegral(PieceField field, float2 a, float2 b, float2 w)
+{
+    float2 sum = 0.0;
     [loop]
-    for (uint i = 0; i < count; i++)
+    for (int place = -1; place <= 1; place++)
     {
-        float2 a = corners[i], b = corners[i + 1 == count ? 0 : i + 1], edge = b - a, middle = 0.5 * (a + b);
-        float twice = a.x * b.y - a.y * b.x;
-        area += 0.5 * twice;
-        moment += twice * (a + b) / 6.0;
-        sum += (w.x * edge.y - w.y * edge.x) * Sinc(0.5 * dot(w, edge)) * PhasorOf(dot(w, middle));
+        float2 x = lerp(a, b, 0.5 + 0.38729833 * place), power = float2(1.0, 0.0);
+        float phase = dot(w, x), slope = dot(field.Slope, x), bend = 0.5 * dot(x, BendsTimes(field, x));
+        float weight = place == 0 ? 4.0 / 9.0 : 5.0 / 18.0;
+        [loop]
+        for (uint n = 0; n < 6; n++)
+        {
+            // The mean, slope and j bend times s, s^2 and s^3 on the way s from 0 to 1.
+            float2 factor = float2(field.Mean / (n + 2.0) + slope / (n + 3.0), bend / (n + 4.0));
+            sum += weight * ComplexMul(factor, power);
+            power = phase / (n + 1.0) * float2(-power.y, power.x);
+        }
     }
-    float size = dot(w, w);
+    return sum;
+}
+
+// Mean over an edge of what has the divergence exp(j w.x) times the polynomial, along w: Gordon's sum (1975) with its
+// polynomial, whose derivatives along w end with the second one.
+float2 EdgeMean(PieceField field, float2 a, float2 b, float2 w)
+{
+    float2 middle = 0.5 * (a + b), halfEdge = 0.5 * (b - a), alongEdge = BendsTimes(field, halfEdge),
+        alongWave = BendsTimes(field, w);
+    float inverse = 1.0 / dot(w, w), x = dot(w, halfEdge);
+    float2 wave = PhasorOf(x);
+    float first = SecondBessel(x, wave), zero = Sinc(x);
+    // By powers of the place on the edge, from -1 to 1.
+    float2 constant = inverse * float2(0.5 * dot(middle, BendsTimes(field, middle))
+            + inverse * (dot(w, field.Slope) - inverse * dot(w, alongWave)),
+        inverse * dot(alongWave, middle) - field.Mean - dot(field.Slope, middle));
+    float2 linearPart = inverse * float2(dot(middle, alongEdge),
+        inverse * dot(alongWave, halfEdge) - dot(field.Slope, halfEdge));
+    float square = 0.5 * inverse * dot(halfEdge, alongEdge);
+    float2 mean = constant * zero + x * first * float2(-linearPart.y, linearPart.x)
+        + float2(square * (zero - 2.0 * first), 0.0);
+    return ComplexMul(mean, PhasorOf(dot(w, middle)));
+}
+
+// Phase between 0 and the farthest corner up to which powers of it are integrated, rad.
+static const float MAX_POWERS_PHASE = 0.5;
+
+// Integral over the polygon of a tube, convex and about 0, of exp(j w.x) times a polynomial, w rad a base cell.
+float2 PolygonIntegral(Tube tube, float2 w, PieceField field)
+{
+    uint count = CornersOf(tube);
+    float2 corners[5] = { tube.Corners01.xy, tube.Corners01.zw, tube.Corners23.xy, tube.Corners23.zw, tube.Corner4 };
+    float2 sum = 0.0;
+    float area = 0.0, reach = 0.0;
+    uint i;
+    [loop]
+    for (i = 0; i < count; i++)
+        reach = max(reach, dot(corners[i], corners[i]));
+    bool isSmall = dot(w, w) * reach < MAX_POWERS_PHASE * MAX_POWERS_PHASE;
+    [loop]
+    for (i = 0; i < count; i++)
+    {
+        float2 a = corners[i], b = corners[i + 1 == count ? 0 : i + 1], edge = b - a;
+        float twice = a.x * b.y - a.y * b.x;
+        area += twice;
+        if (isSmall)
+            sum += twice * TriangleIntegral(field, a, b, w);
+        else
+            sum += (w.x * edge.y - w.y * edge.x) * EdgeMean(field, a, b, w);
+    }
     // The polygon may go round either way.
-    float sense = area < 0.0 ? -1.0 : 1.0;
-    if (size < 4.0e-4)
-        return sense * (area * float2(1.0, 0.0) + dot(w, moment) * float2(0.0, 1.0));
-    return sense * float2(sum.y, -sum.x) / size;
+    return area < 0.0 ? -sum : sum;
 }
 
 // What a tube radiates at a wave number, beside its phase.
@@ -153,7 +219,7 @@ struct TubeShape
 // w: k times the gradient, rad a base cell.
 TubeShape ShapeOf(Tube tube, float k, float2 w)
 {
-    uint count = tube.Tag >> 16;
+    uint count = CornersOf(tube);
     bool isEdge = count == EDGE_CORNERS;
 #ifdef GLINT_AMPLITUDE
     bool isPlain = true;
@@ -176,9 +242,11 @@ TubeShape ShapeOf(Tube tube, float k, float2 w)
     }
     else
     {
-        float2 corners[5] = { tube.Corners01.xy, tube.Corners01.zw, tube.Corners23.xy, tube.Corners23.zw,
-            tube.Corner4 };
-        shape.Integral = PolygonIntegral(corners, count, w);
+        PieceField field;
+        field.Mean = 1.0;
+        field.Bends = k * tube.Bends;
+        field.Slope = float2(f16tof32(tube.Slope), f16tof32(tube.Slope >> 16));
+        shape.Integral = PolygonIntegral(tube, w, field);
     }
     return shape;
 }
@@ -191,22 +259,30 @@ struct Radiation
     float2 Cancelled;      // of a square: the part of its area that its phase cancels, times exp(j phase) at the middle
 };
 
-// Adds what the currents of a square or edge change along it: see _TubeExtras. unit: S of an integral of 1.
+// Adds what the currents of a piece change along it: see _TubeExtras. unit: S of an integral of 1.
 void AddSlopes(inout Radiation radiation, Tube tube, uint index, float k, float2 w, float2 unit)
 {
     float size = tube.Corners01.x;
     float2 x = 0.5 * size * w, alongU = 0.0, alongV = 0.0;
-    if (tube.Tag >> 16 == EDGE_CORNERS)
+    if (CornersOf(tube) == EDGE_CORNERS)
         alongU = size * MeansOf(x.x, k * tube.Corners01.y).Along;
-    else if (tube.Tag >> 16 == 0)
+    else if (CornersOf(tube) == 0)
     {
         float3 bends = k * tube.Corners01.yzw;
         alongU = size * size * SquareIntegral(x, bends, float4(0.0, 1.0, 0.0, 0.0));
         alongV = size * size * SquareIntegral(x, bends, float4(0.0, 0.0, 1.0, 0.0));
     }
+    else
+    {
+        PieceField field = (PieceField)0;
+        field.Slope = float2(1.0, 0.0);
+        alongU = PolygonIntegral(tube, w, field);
+        field.Slope = field.Slope.yx;
+        alongV = PolygonIntegral(tube, w, field);
+    }
     alongU = ComplexMul(alongU, unit);
     alongV = ComplexMul(alongV, unit);
-    uint row = FirstExtra(index) + 1;
+    uint row = TUBE_EXTRAS * index + 1;
     float4 coPolarU = _TubeExtras[row], coPolarV = _TubeExtras[row + 1], crossPolarU = _TubeExtras[row + 2],
         crossPolarV = _TubeExtras[row + 3];
     radiation.VV += ComplexMul(alongU, coPolarU.xy) + ComplexMul(alongV, coPolarV.xy);
@@ -223,7 +299,7 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
 #ifndef GLINT_AMPLITUDE
     if (_IsMoving != 0)
     {
-        float3 rate = _TubeExtras[FirstExtra(index)].xyz;
+        float3 rate = _TubeExtras[TUBE_EXTRAS * index].xyz;
         phase = Add(phase, Mul(Mul(turnsPerMetre, waveNumber.w), rate.z));
         w += k * waveNumber.w * rate.xy;
     }
@@ -239,7 +315,7 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
     radiation.HH = ComplexMul(wave, tube.CoPolar.zw);
     radiation.Scale = shape.Scale;
 #ifndef GLINT_AMPLITUDE
-    if (_IsNear != 0)
+    if (HasChanges(tube))
         AddSlopes(radiation, tube, index, k, w, _UnitsPerMetre * shape.Scale * ComplexMul(phasor, shape.Factor));
 #endif
     return radiation;
@@ -365,7 +441,7 @@ void TubeParts(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         Clear(sums);
         uint overflow = 0;
         AccumulateS(sums, RadiationOf(tube, i, _WaveNumbers[_Parts.y]), overflow);
-        uint2 parts = uint2(_TubeParts[i], _Parts.w + (tube.Tag >> 8 & 0xff));
+        uint2 parts = uint2(_TubeParts[i], _Parts.w + BounceOf(tube));
         for (uint sum = 0; sum < PART_WORDS / 2; sum++)
         {
             AddWords(_Parts.z + parts.x * PART_WORDS + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);

@@ -13,7 +13,7 @@ namespace Glint.Tests
         [Test]
         public void Structs_AreWholeRowsOfSixteenBytes()
         {
-            Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(96));
+            Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(112));
             Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<TubePose>(), Is.EqualTo(240));
             Assert.That(Marshal.SizeOf<TubeCorner>(), Is.EqualTo(64));
@@ -29,7 +29,8 @@ namespace Glint.Tests
             {
                 Gradient = float2(1, 2), Phase = 3, Tag = 4, CoPolar = float4(5, 6, 7, 8),
                 CrossPolar = float4(9, 10, 11, 12), Corners01 = float4(13, 14, 15, 16),
-                Corners23 = float4(17, 18, 19, 20), Corner4 = float2(21, 22), Error = 23, Bent = 24
+                Corners23 = float4(17, 18, 19, 20), Corner4 = float2(21, 22), Error = 23, Bent = 24,
+                Bends = float3(165, 166, 167), Slope = 168
             };
             var cell = new TubeCell
             {
@@ -51,7 +52,7 @@ namespace Glint.Tests
             };
             var corner = new TubeCorner
             {
-                Signature = 85, Bounces = 86, Strength = 87, Changes = 88, Position = float4(89, 90, 91, 92),
+                Signature = 85, Traits = 86, Strength = 87, Changes = 88, Position = float4(89, 90, 91, 92),
                 AlongU = float4(93, 94, 95, 96), AlongV = float4(97, 98, 99, 100)
             };
             Unity.Mathematics.float4 Row(float first) => float4(first, first + 1, first + 2, first + 3);
@@ -65,7 +66,7 @@ namespace Glint.Tests
             };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
                 || field == 48 || field == 52 || field == 72 || field == 76 || field == 80
-                || field >= 81 && field <= 86 || field == 88 || field >= 145 && field <= 152 || field == 155 || field >= 159;
+                || field >= 81 && field <= 86 || field == 88 || field >= 145 && field <= 152 || field == 155 || field >= 159 && field <= 164 || field == 168;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
@@ -75,7 +76,7 @@ namespace Glint.Tests
                 fields.Bind("_SeaTileIn", tile);
                 fields.Bind("_CornerIn", corner);
                 fields.Bind("_TubePoseIn", pose);
-                Assert.That(fields.Unpack(164), Is.EqualTo(Enumerable.Range(1, 164)
+                Assert.That(fields.Unpack(168), Is.EqualTo(Enumerable.Range(1, 168)
                     .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
             }
         }
@@ -113,7 +114,7 @@ namespace Glint.Tests
                     ["CORNER_ARGUMENTS"] = TubeRounds.CornerArguments,
                     ["CENTRE_ARGUMENTS"] = TubeRounds.CentreArguments,
                     ["OUTLINE_ARGUMENTS"] = TubeRounds.OutlineArguments,
-                    ["NEAR_EXTRAS"] = TubeKernels.NearExtras,
+                    ["TUBE_EXTRAS"] = TubeKernels.TubeExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
                 }));
@@ -181,7 +182,7 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "DEEP_CELL", "BENT_CELL", "TUBE_CELLS", "TUBE_BORDERS", "TUBE_UNCUT",
+        static readonly string[] s_ofTheDevice = { "DEEP_CELL", "BENT_CELL", "KINKED_CELL", "CHANGES", "TUBE_CELLS", "TUBE_BORDERS", "TUBE_UNCUT",
             "TUBE_NEXT_CELLS", "TUBE_CENTRES", "TUBE_OUTLINES", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_SIDES", "MAX_LISTED",
             "TUBE_POINTS" };
     }

@@ -13,13 +13,15 @@ namespace Glint
         public float4 CoPolar, CrossPolar, Corners01, Corners23;
         public float2 Corner4;
         public float Error, Bent;
+        public float3 Bends;
+        public uint Slope;
     }
 
     // GLINT_CORNER: Shaders/TubeBindings.hlsl, where the fields are explained.
     [StructLayout(LayoutKind.Sequential)]
     struct TubeCorner
     {
-        public uint Signature, Bounces;
+        public uint Signature, Traits;
         public float Strength;
         public uint Changes;
         public float4 Position, AlongU, AlongV;

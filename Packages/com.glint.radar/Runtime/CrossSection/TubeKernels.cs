@@ -37,8 +37,8 @@ namespace Glint
         /// <summary>Rows of a side of a triangle on the outline of its patch: SIDE_ROWS.</summary>
         public const int SideRows = 3;
 
-        /// <summary>Rows of a tube in _TubeExtras at a finite range: NEAR_EXTRAS.</summary>
-        public const int NearExtras = 5;
+        /// <summary>Rows of a tube in _TubeExtras: TUBE_EXTRAS.</summary>
+        public const int TubeExtras = 5;
 
         /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
         public const int CoverSide = 8;
@@ -173,12 +173,9 @@ namespace Glint
             _shader.SetInts(TubeIDs._Parts, receiver, frequency, firstWord, parts.FirstBounce);
         }
 
-        /// <summary>Rows of a tube in _TubeExtras (Shaders/TubeBindings.hlsl).</summary>
-        public static int ExtrasOf(CrossSectionPose pose) => !pose.IsFar ? NearExtras : pose.IsMoving ? 1 : 0;
-
         /// <inheritdoc cref="TubeRounds.SetLists"/>
         /// <param name="tubeParts">The part of each tube; one element if they are not asked for.</param>
-        /// <param name="tubeExtras"><see cref="ExtrasOf"/> rows of each tube; at least one element.</param>
+        /// <param name="tubeExtras"><see cref="TubeExtras"/> rows of each tube.</param>
         public void SetLists(TubeLists lists, DeviceBuffer<uint> tubeParts, DeviceBuffer<float4> tubeExtras)
         {
             _rounds.SetLists(lists);
