@@ -28,7 +28,8 @@ void FitBends(inout float3 bends, float2 offset, float2 gradient)
 }
 
 // Sets the bends of a piece, the slope of its strength, and how wrong it is, relatively. What is left alone is taken as plane,
-// with the error of that. piece, origin (of the ray): from the middle of the cell; firstSide: of the cell, which the piece begins on; strength: of the ray.
+// with the error of that. piece, origin (of the ray): from the middle of the cell; firstSide: of the cell, which the piece
+// begins on; strength: of the ray.
 void FitPiece(inout Tube currents, Piece piece, uint firstSide, float2 origin, CellCorners corners, TubePath tube,
     SurfacePoint at, uint index, Receiver receiver, float strength)
 {
