@@ -220,6 +220,7 @@ namespace Glint.Tests
         }
 
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator Cancel_ByAListener_EndsTheRunAndKeepsTheRows()
         {
             (_radar.Frequencies, _radar.ToleranceDb) = ("9e9,10e9", 1);
