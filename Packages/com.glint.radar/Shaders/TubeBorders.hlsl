@@ -149,10 +149,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         bool isFit = ray >= checks && ray < checks + fits, isFirst = (ray - checks & 1) == 0;
         float2 shift = isStraight ? BEND_AREA * width * bend.Offset * across : 0.0;
         Piece piece = (Piece)0;
-        uint startSide = isFirst ? border.Sides.y : border.Sides.x;
+        float2 start = isFirst ? second : first, stop = isFirst ? first : second;
+        uint startSide = isFirst ? border.Sides.y : border.Sides.x, stopSide = isFirst ? border.Sides.x : border.Sides.y;
         if (isCut && ray >= checks)
-            piece = isFirst ? PieceBetween(second + shift, startSide, first + shift, border.Sides.x, side)
-                : PieceBetween(first + shift, startSide, second + shift, border.Sides.y, side);
+            piece = PieceBetween(start + shift, startSide, stop + shift, stopSide, side);
         float2 place = MiddleOf(piece);
         if (ray < checks)
             place = first + 0.5 * chord + width * NextOffset(bend, ray) * across;
