@@ -219,31 +219,18 @@ float SteepnessAt(TubePath tube, uint receivers)
     return least;
 }
 
-static const uint NO_TUBE = 0xffffffff;
-
 // What the currents of a tube change along u and v: see _TubeExtras.
 struct Changes
 {
-    float4 CoPolar[2];
-    float4 CrossPolar[2];
+    float4 CoPolarU, CoPolarV, CrossPolarU, CrossPolarV;
 };
 
-void SetChanges(uint tube, Changes changes)
-{
-    [unroll]
-    for (uint axis = 0; axis < 2; axis++)
-    {
-        _TubeExtras[TUBE_EXTRAS * tube + 1 + axis] = changes.CoPolar[axis];
-        _TubeExtras[TUBE_EXTRAS * tube + 3 + axis] = changes.CrossPolar[axis];
-    }
-}
-
-// Part: see _TubeParts. Rate: see RateOf. Returns its number, or NO_TUBE.
-uint AddTube(Tube tube, uint part, float3 rate)
+// Changes: of a tube that has them. Part: see _TubeParts. Rate: see RateOf.
+void AddTube(Tube tube, Changes changes, uint part, float3 rate)
 {
     uint bounces = BounceOf(tube);
     if (bounces != _OnlyBounce && _OnlyBounce != 0)
-        return NO_TUBE;
+        return;
     uint at;
     InterlockedAdd(_Sums[TUBE_COUNT], 1, at);
     InterlockedAdd(_Sums[CountWord(POSE_TUBES)], 1);
@@ -252,13 +239,24 @@ uint AddTube(Tube tube, uint part, float3 rate)
     if (_Sums[mostBounces] < bounces)
         InterlockedMax(_Sums[mostBounces], bounces);
     if (at >= _ListCapacity.x)
-        return NO_TUBE;
+        return;
     _Tubes[at] = tube;
     if (_HasParts != 0)
         _TubeParts[at] = part;
+    uint row = TUBE_EXTRAS * at;
     if (_IsMoving != 0)
-        _TubeExtras[TUBE_EXTRAS * at] = float4(rate, 0.0);
-    return at;
+        _TubeExtras[row] = float4(rate, 0.0);
+    if (!HasChanges(tube))
+        return;
+    _TubeExtras[row + 1] = changes.CoPolarU;
+    _TubeExtras[row + 2] = changes.CoPolarV;
+    _TubeExtras[row + 3] = changes.CrossPolarU;
+    _TubeExtras[row + 4] = changes.CrossPolarV;
+}
+
+void AddTube(Tube tube, uint part, float3 rate)
+{
+    AddTube(tube, (Changes)0, part, rate);
 }
 
 #endif

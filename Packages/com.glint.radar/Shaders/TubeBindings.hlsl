@@ -12,7 +12,7 @@ static const uint TUBE_CELLS = 3;          // cells of this round
 static const uint TUBE_NEXT_CELLS = 5;     // cells of the next round
 static const uint TUBE_CENTRES = 7;        // cells of this round whose centre is traced
 static const uint TUBE_BORDERS = 9;        // border cells of this round that the border cuts in two,
-static const uint TUBE_UNCUT = 11;         // and the others
+static const uint TUBE_WHOLES = 11;        // and the others
 static const uint TUBE_POINTS = 13;        // points of an amplitude's cells; may exceed _PointCapacity
 static const uint TUBE_REVEALED = 14;      // parts of cells in which more was found than in attempts before
 static const uint TUBE_HITS = 16;          // of the rays of an amplitude, 64 bits each: those that hit,
@@ -56,6 +56,7 @@ static const uint BISECT_ARGUMENTS = 36;
 static const uint CORNER_ARGUMENTS = 48;
 static const uint CENTRE_ARGUMENTS = 60;
 static const uint OUTLINE_ARGUMENTS = 72;
+static const uint WHOLE_ARGUMENTS = 84;
 
 // GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
 // The piece is a polygon in the plane of the grid, whose unit is a base cell.

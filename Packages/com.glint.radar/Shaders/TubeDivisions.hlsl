@@ -35,7 +35,7 @@ void AddBorder(Cell cell)
         Divide(cell);
         return;
     }
-    uint border = AddToList(TUBE_UNCUT, IsDeep(cell), 1, _ListCapacity.z);
+    uint border = AddToList(TUBE_WHOLES, IsDeep(cell), 1, _ListCapacity.z);
     if (border < _ListCapacity.z)
         _Borders[_ListCapacity.z + border] = cell;
 }

@@ -189,12 +189,10 @@ void AddFringe(Tube fringe, EdgePiece piece, float2 part, uint index)
     fringe.Phase = phase;
     fringe.Gradient.x = (last.Phase - first.Phase) / (part.y - part.x);
     Changes changes = (Changes)0;
-    changes.CoPolar[0] = 0.5 * (last.CoPolar - first.CoPolar);
-    changes.CrossPolar[0] = 0.5 * (last.CrossPolar - first.CrossPolar);
+    changes.CoPolarU = 0.5 * (last.CoPolar - first.CoPolar);
+    changes.CrossPolarU = 0.5 * (last.CrossPolar - first.CrossPolar);
     fringe.Tag |= CHANGES;
-    uint added = AddTube(fringe, piece.Part, rate);
-    if (added != NO_TUBE)
-        SetChanges(added, changes);
+    AddTube(fringe, changes, piece.Part, rate);
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]

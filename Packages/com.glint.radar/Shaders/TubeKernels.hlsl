@@ -33,6 +33,8 @@
 #include "TubeFringes.hlsl"
 #elif defined(GLINT_UNIFORM_POINTS)
 #include "TubePoints.hlsl"
+#elif defined(GLINT_WHOLES)
+#include "TubeWholes.hlsl"
 #else
 #include "TubeBorders.hlsl"
 #endif

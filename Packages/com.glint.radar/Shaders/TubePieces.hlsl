@@ -42,6 +42,7 @@ void FitPiece(inout Tube currents, Piece piece, uint firstSide, float2 origin, C
     // Twice, since a corner changes what was right for the one before; then what is left is noted.
     [loop]
     for (uint step = 0; step < 3; step++)
+        [loop]
         for (uint i = 1; i + 1 < piece.Count; i++)
         {
             uint number = (firstSide + i) & 3;
@@ -68,6 +69,7 @@ void FitPiece(inout Tube currents, Piece piece, uint firstSide, float2 origin, C
             changed = max(changed, abs(change));
         }
     float size = 0.0, most = 0.0, guessed = 0.0;
+    [loop]
     for (uint j = 0; j < piece.Count; j++)
     {
         float2 offset = piece.Corners[j] - origin;

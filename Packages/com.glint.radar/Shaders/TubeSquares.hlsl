@@ -108,55 +108,44 @@ void MoveBeside(inout TubePath tube, inout SurfacePoint at, float2 step)
     at.Normal = normalize(at.Normal + step.x * at.NormalU + step.y * at.NormalV);
 }
 
-// Whether currents at a hit change along the tube.
-bool IsChanging(TubePath tube, SurfacePoint at)
-{
-    return _IsNear != 0 || any(tube.Roll != 0.0) || any(at.NormalU != 0.0) || any(at.NormalV != 0.0)
-        || any(tube.DirectionU != 0.0) || any(tube.DirectionV != 0.0);
-}
-
 // How the currents of a tube change over a length by u and v, base cells, for the strength of its ray: directions and
-// polarisations are those of each place. reach: that length; side: of the cell. False if they are not known.
-bool FindChanges(out Changes changes, TubePath tube, SurfacePoint at, uint index, uint receivers, float strength, float side,
-    float reach)
+// polarisations are those of each place. reach: that length; side: of the cell. isKnown: they are not past a silhouette.
+Changes FindChanges(TubePath tube, SurfacePoint at, uint index, uint receivers, float strength, float side, float reach,
+    out bool isKnown)
 {
-    changes = (Changes)0;
-    if (!IsChanging(tube, at))
-        return false;
-    bool isKnown = true;
+    Changes changes = (Changes)0;
+    isKnown = true;
     [loop]
     for (uint place = 0; place < 4; place++)
     {
-        uint axis = place >> 1;
         float sense = 2.0 * (place & 1) - 1.0;
+        float2 step = place < 2 ? float2(sense, 0.0) : float2(0.0, sense);
         TubePath beside = tube;
         SurfacePoint there = at;
-        MoveBeside(beside, there, 0.5 * side * sense * float2(1 - axis, axis));
+        MoveBeside(beside, there, 0.5 * side * step);
         float strengthThere = StrengthAt(beside, there, receivers);
         // Past a silhouette there is nothing.
         isKnown = isKnown && !IsNaN(strengthThere) && strengthThere > max(MIN_STRENGTH * strength, MIN_CURRENTS);
         Tube currents = CurrentsAt(beside, there, index, ReceiverFrom(index, beside.Path.Ray.Origin));
-        float part = isKnown ? sense * reach / side * strength / strengthThere : 0.0;
-        [unroll]
-        for (uint each = 0; each < 2; each++)
-        {
-            changes.CoPolar[each] += each == axis ? part * currents.CoPolar : 0.0;
-            changes.CrossPolar[each] += each == axis ? part * currents.CrossPolar : 0.0;
-        }
+        float2 part = isKnown ? reach / side * strength / strengthThere * step : 0.0;
+        changes.CoPolarU += part.x * currents.CoPolar;
+        changes.CoPolarV += part.y * currents.CoPolar;
+        changes.CrossPolarU += part.x * currents.CrossPolar;
+        changes.CrossPolarV += part.y * currents.CrossPolar;
     }
-    return isKnown;
+    return changes;
 }
 
-// Adds a tube whose currents may change along it: see FindChanges.
+// Adds a tube. At a finite range its currents change along it: see FindChanges.
 void AddChangingTube(Tube currents, TubePath tube, SurfacePoint at, uint index, Receiver receiver, uint receivers,
     float strength, float side, float reach)
 {
-    Changes changes;
-    bool isChanging = FindChanges(changes, tube, at, index, receivers, strength, side, reach);
-    currents.Tag |= isChanging ? CHANGES : 0;
-    uint added = AddTube(currents, at.Part, RateTo(receiver, tube, at));
-    if (isChanging && added != NO_TUBE)
-        SetChanges(added, changes);
+    Changes changes = (Changes)0;
+    bool isKnown = false;
+    if (_IsNear != 0)
+        changes = FindChanges(tube, at, index, receivers, strength, side, reach, isKnown);
+    currents.Tag |= isKnown ? CHANGES : 0;
+    AddTube(currents, changes, at.Part, RateTo(receiver, tube, at));
 }
 
 static const uint NO_RECEIVER = 0xffffffff;

@@ -156,8 +156,9 @@ void PrepareRays()
 void PrepareBorders()
 {
     uint cut = GroupsOfList(TUBE_BORDERS, _ListCapacity.z);
-    StoreGroups(BORDER_ARGUMENTS, cut + GroupsOfList(TUBE_UNCUT, _ListCapacity.z), 1);
     StoreGroups(BISECT_ARGUMENTS, 2 * cut, 1);
+    StoreGroups(BORDER_ARGUMENTS, cut, 1);
+    StoreGroups(WHOLE_ARGUMENTS, GroupsOfList(TUBE_WHOLES, _ListCapacity.z), 1);
 }
 
 // Groups for the cells of the next round, and for the tubes so far; new lists begin.
@@ -174,7 +175,7 @@ void PrepareCells()
     ClearList(TUBE_NEXT_CELLS);
     ClearList(TUBE_CENTRES);
     ClearList(TUBE_BORDERS);
-    ClearList(TUBE_UNCUT);
+    ClearList(TUBE_WHOLES);
     _Sums[TUBE_OUTLINES] = 0;
 }
 

@@ -113,7 +113,7 @@ namespace Glint.Tests
                     ["BISECT_ARGUMENTS"] = TubeRounds.BisectArguments,
                     ["CORNER_ARGUMENTS"] = TubeRounds.CornerArguments,
                     ["CENTRE_ARGUMENTS"] = TubeRounds.CentreArguments,
-                    ["OUTLINE_ARGUMENTS"] = TubeRounds.OutlineArguments,
+                    ["OUTLINE_ARGUMENTS"] = TubeRounds.OutlineArguments, ["WHOLE_ARGUMENTS"] = TubeRounds.WholeArguments,
                     ["TUBE_EXTRAS"] = TubeKernels.TubeExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
@@ -157,7 +157,7 @@ namespace Glint.Tests
             var constants = ShaderConstants.Of("TubeBindings.hlsl");
             // Lists that are filled from both ends have two counts.
             var counts = new[] { "COUNT", "OVERFLOW", "OUTLINES" }.Select(name => constants["TUBE_" + name])
-                .Concat(new[] { "CELLS", "NEXT_CELLS", "CENTRES", "BORDERS", "UNCUT" }
+                .Concat(new[] { "CELLS", "NEXT_CELLS", "CENTRES", "BORDERS", "WHOLES" }
                     .SelectMany(name => new[] { constants["TUBE_" + name], constants["TUBE_" + name] + 1 })).ToArray();
             Assert.That(counts, Is.Unique);
             Assert.That(counts, Is.All.LessThan(TubeSums.FirstPose));
@@ -166,9 +166,9 @@ namespace Glint.Tests
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,
                 TubeRounds.BisectArguments, TubeRounds.CornerArguments, TubeRounds.CentreArguments,
-                TubeRounds.OutlineArguments };
-            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72 }));
-            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(72 + 12));
+                TubeRounds.OutlineArguments, TubeRounds.WholeArguments };
+            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72, 84 }));
+            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(84 + 12));
         }
 
         // Tags of tubes have 8 bits for the receiver, 8 for the bounce, and the corners above.
@@ -182,7 +182,7 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "DEEP_CELL", "BENT_CELL", "KINKED_CELL", "CHANGES", "TUBE_CELLS", "TUBE_BORDERS", "TUBE_UNCUT",
+        static readonly string[] s_ofTheDevice = { "DEEP_CELL", "BENT_CELL", "KINKED_CELL", "CHANGES", "TUBE_CELLS", "TUBE_BORDERS", "TUBE_WHOLES",
             "TUBE_NEXT_CELLS", "TUBE_CENTRES", "TUBE_OUTLINES", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_SIDES", "MAX_LISTED",
             "TUBE_POINTS" };
     }

@@ -11,11 +11,11 @@ namespace Glint
     sealed class TubeRounds : IDisposable
     {
         /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
-        public const int ArgumentWords = 21;
+        public const int ArgumentWords = 24;
 
         /// <inheritdoc cref="ArgumentWords"/>
         public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36,
-            CornerArguments = 48, CentreArguments = 60, OutlineArguments = 72;
+            CornerArguments = 48, CentreArguments = 60, OutlineArguments = 72, WholeArguments = 84;
 
         // Rays that a thread traces at most: a software device ends a thread's loops after 65,535 iterations in all.
         readonly int _raysAThread = SoftwareDevice.IsInUse ? 4 : 32;
@@ -37,8 +37,10 @@ namespace Glint
             /// <summary>After: groups for those that the kernel of the cells has listed.</summary>
             public readonly int Prepare;
 
-            /// <summary>Then those beside outlines, and those through the centres of cells.</summary>
-            public readonly int Outlines, Centres;
+            /// <summary>
+            /// Then those beside outlines, those through the centres of cells, and of border cells that are summed as a whole.
+            /// </summary>
+            public readonly int Outlines, Centres, Wholes;
 
             public RayKernels(ComputeShader shader)
             {
@@ -46,6 +48,7 @@ namespace Glint
                 Prepare = shader.FindKernel("PrepareRays");
                 Outlines = shader.FindKernel("TubeOutlines");
                 Centres = shader.FindKernel("TubeCentres");
+                Wholes = shader.FindKernel("TubeWholes");
             }
         }
 
@@ -65,7 +68,7 @@ namespace Glint
             _summing = _sums;
             Kernels = new[] { _cells, _bisect, _borders };
             if (rays != null)
-                Kernels = Kernels.Concat(new[] { rays.Corners, rays.Outlines, rays.Centres }).ToArray();
+                Kernels = Kernels.Concat(new[] { rays.Corners, rays.Outlines, rays.Centres, rays.Wholes }).ToArray();
         }
 
         /// <summary>The kernel TubeSums.</summary>
@@ -135,6 +138,8 @@ namespace Glint
                     _shader.DispatchIndirect(_bisect, _arguments, BisectArguments);
                 }
                 _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
+                if (_rays != null)
+                    _shader.DispatchIndirect(_rays.Wholes, _arguments, WholeArguments);
                 _shader.Dispatch(_prepareCells, 1, 1, 1);
             }
             _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
