@@ -52,7 +52,7 @@ CellCorners LoadCorners(inout Cell cell)
         corners.AreSame = corners.AreSame && cell.Signatures[i] == cell.Signatures[0];
     }
     corners.Common = CommonBounces(corners);
-    cell.Traits = any(corners.Bounces > 1) ? DEEP_CELL : 0;
+    cell.Traits = (cell.Traits & CHECKED_CELL) | (any(corners.Bounces > 1) ? DEEP_CELL : 0);
     return corners;
 }
 

@@ -111,6 +111,7 @@ float2 MagnitudesOf(Tube tube)
 static const uint DEEP_CELL = 1;           // bits of Cell.Traits
 static const uint BENT_CELL = 2;
 static const uint KINKED_CELL = 4;
+static const uint CHECKED_CELL = 8;
 
 // A cell of the grid.
 struct Cell
@@ -127,8 +128,15 @@ struct Cell
     uint Whole;           // number in the round before of the cell that it is a part of
     uint Traits;          // DEEP_CELL: a ray through a corner of it, or of the cell that it is a part of, bounces more than
                           // once; BENT_CELL: bent phases make the error of a piece too large; KINKED_CELL: the rays through its
-                          // corners met the same patches, but several facets: its signatures tell facets apart
+                          // corners met the same patches, but several facets: its signatures tell facets apart; CHECKED_CELL:
+                          // at each bounce rays beside the outlines in it, or in the cell that it is a part of, met what rays
+                          // through corners met
 };
+
+bool IsChecked(Cell cell)
+{
+    return (cell.Traits & CHECKED_CELL) != 0;
+}
 
 bool IsDeep(Cell cell)
 {

@@ -46,6 +46,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (corners.AreSame)
         return;
+    cell.Traits |= CHECKED_CELL;
     CurrentsLeft left = LeftAt(corners, cell);
     cell.Strength = left.Strength;
     cell.Thinned = left.Thinned;

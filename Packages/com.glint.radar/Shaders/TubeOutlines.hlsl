@@ -5,12 +5,13 @@
 #include "CellCorners.hlsl"
 #include "OutlineLists.hlsl"
 
-// Follows the rays beside outlines to their first hit, and notes how strongly answers what the corners of the cell have not
-// met. One thread a ray.
+// Follows the rays beside outlines, and notes how strongly answers what the rays through the corners of the cell have not met:
+// thin parts of patches, and strips that a second bounce meets at grazing incidence, beside the line where patches meet. One
+// thread a ray.
 
 // Distance of a ray from the outline beside which it looks, on the side of the patch: in sides of the cell, and in places on
 // the grid, which are rounded.
-static const float BESIDE = 1.0 / 256.0, ROUNDED_BESIDE = 1.0e-6;
+static const float BESIDE = 1.0 / 1024.0, ROUNDED_BESIDE = 1.0e-6;
 
 float2 PlaceBeside(Cell cell, uint side)
 {
@@ -21,6 +22,16 @@ float2 PlaceBeside(Cell cell, uint side)
     return place + (dot(across, inside - a) < 0.0 ? -offset : offset) * across;
 }
 
+// Whether a ray through a corner of a cell has met the same, up to the last hit.
+bool IsMet(CellCorners corners, TubePath tube)
+{
+    bool isMet = false;
+    for (uint i = 0; i < 4; i++)
+        if (corners.Bounces[i] >= tube.Path.Bounces)
+            isMet = isMet || _Corners[corners.Elements[i] + tube.Path.Bounces - 1].Signature == tube.Signature;
+    return isMet;
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -29,18 +40,22 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     uint2 ray = _Outlines[index];
     Cell cell = LoadCell(_Centres[2 * ray.x]);
-    uint4 met = LoadCorners(cell).First;
+    CellCorners corners = LoadCorners(cell);
     TubePath tube = BeginTube(PlaceBeside(cell, ray.y));
     SurfacePoint at;
     AddTo(CountWord(POSE_RAYS), 1);
-    if (!AdvanceTube(tube, at))
-        return;
-    uint receivers = ReceiversOf(tube, at);
-    Sign(tube, receivers);
-    if (all(met != tube.Signature))
+    [loop]
+    while (AdvanceTube(tube, at))
     {
-        float strength = StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers);
-        InterlockedMax(_Centres[2 * ray.x + 1], asuint(strength));
+        uint receivers = ReceiversOf(tube, at);
+        Sign(tube, receivers);
+        if (!IsMet(corners, tube))
+        {
+            float strength = StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers);
+            InterlockedMax(_Centres[2 * ray.x + 1], asuint(strength));
+        }
+        if (!ScatterTube(tube, at))
+            break;
     }
 }
 
