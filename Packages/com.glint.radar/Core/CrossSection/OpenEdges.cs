@@ -45,6 +45,7 @@ namespace Glint.Core
         readonly double3 _centre;
         readonly List<OpenEdge> _edges = new List<OpenEdge>();
         readonly List<Overlap> _overlaps = new List<Overlap>();
+        double _gap;
 
         OpenEdges(PlacedPatches[] placed, double tolerance, double3 centre)
         {
@@ -60,10 +61,12 @@ namespace Glint.Core
         /// <param name="placed">The instances.</param>
         /// <param name="tolerance">Maximum distance of edges that lie on each other, metres.</param>
         /// <param name="centre">Centre of the scene.</param>
-        public static List<EdgePiece> Join(PlacedPatches[] placed, double tolerance, double3 centre)
+        /// <param name="gap">Largest distance of edges that were joined, metres.</param>
+        public static List<EdgePiece> Join(PlacedPatches[] placed, double tolerance, double3 centre, out double gap)
         {
             var open = new OpenEdges(placed, tolerance, centre);
             open.FindOverlaps();
+            gap = open._gap;
             return open.Cut();
         }
 
@@ -132,9 +135,10 @@ namespace Glint.Core
                 return;
             double3 first = edge.From + min * along, last = edge.From + max * along;
             double otherFirst = other.Project(first), otherLast = other.Project(last);
-            if (math.distance(first, other.At(otherFirst)) > _tolerance
-                || math.distance(last, other.At(otherLast)) > _tolerance)
+            double gap = math.max(math.distance(first, other.At(otherFirst)), math.distance(last, other.At(otherLast)));
+            if (gap > _tolerance)
                 return;
+            _gap = math.max(_gap, gap);
             _overlaps.Add(new Overlap { Edge = i, Other = j, Min = min, Max = max });
             _overlaps.Add(new Overlap
             {

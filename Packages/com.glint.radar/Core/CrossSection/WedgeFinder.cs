@@ -8,8 +8,8 @@ namespace Glint.Core
     /// <summary>The wedges of a scene.</summary>
     public sealed class WedgeSet
     {
-        internal WedgeSet(Wedge[] wedges, int coatedCount, double coatedLength) =>
-            (Wedges, CoatedCount, CoatedLength) = (wedges, coatedCount, coatedLength);
+        internal WedgeSet(Wedge[] wedges, int coatedCount, double coatedLength, double gap) =>
+            (Wedges, CoatedCount, CoatedLength, Gap) = (wedges, coatedCount, coatedLength, gap);
 
         /// <summary>Wedges whose faces both are perfect conductors.</summary>
         public IReadOnlyList<Wedge> Wedges { get; }
@@ -19,6 +19,9 @@ namespace Glint.Core
 
         /// <summary>Their length, metres.</summary>
         public double CoatedLength { get; }
+
+        /// <summary>Largest distance of open edges that were taken as one, metres.</summary>
+        public double Gap { get; }
     }
 
     /// <summary>Finds the edges of a scene that diffract.</summary>
@@ -42,6 +45,7 @@ namespace Glint.Core
         readonly PlacedPatches[] _placed;
         readonly bool[][] _isConductor; // for each instance and triangle
         readonly List<EdgePiece> _pieces;
+        readonly double _gap;
         readonly BodySides _sides;
         readonly List<WedgePiece> _wedges = new List<WedgePiece>();
         readonly List<FaceAtEdge> _around = new List<FaceAtEdge>();
@@ -57,7 +61,7 @@ namespace Glint.Core
             var (boxMin, boxMax) = Bound();
             double3 centre = (boxMin + boxMax) / 2;
             double size = math.distance(boxMin, boxMax);
-            _pieces = OpenEdges.Join(_placed, RelativeTolerance * size, centre);
+            _pieces = OpenEdges.Join(_placed, RelativeTolerance * size, centre, out _gap);
             AddCreases();
             _sides = new BodySides(_placed, _pieces, size, centre);
         }
@@ -71,7 +75,7 @@ namespace Glint.Core
             Predicate<SurfaceMaterial> isConductor = null)
         {
             if (scene.TriangleCount == 0)
-                return new WedgeSet(Array.Empty<Wedge>(), 0, 0);
+                return new WedgeSet(Array.Empty<Wedge>(), 0, 0, 0);
             var finder = new WedgeFinder(scene, patches, isConductor ?? (surface => true));
             foreach (var piece in finder._pieces)
                 finder.AddWedges(piece);
@@ -86,7 +90,7 @@ namespace Glint.Core
                     coated++;
                     coatedLength += piece.Wedge.Length;
                 }
-            return new WedgeSet(wedges.ToArray(), coated, coatedLength);
+            return new WedgeSet(wedges.ToArray(), coated, coatedLength, finder._gap);
         }
 
         /// <summary>

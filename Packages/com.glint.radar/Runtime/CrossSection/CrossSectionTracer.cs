@@ -19,6 +19,10 @@ namespace Glint
         const double PartOfTolerance = 0.5, MinFirstCellError = 1.0 / 64, MaxFirstCellError = 1.0 / 8,
             MinCellError = 1.0 / (1 << 17);
 
+        // Distance of shadow rays from the faces at their edge, in the diagonal of the scene's box: 30 times the rounding of
+        // float32.
+        const double RelativeEdgeOffset = 2e-6;
+
         readonly string _owner;
         readonly TubeTracer _tubes;
         readonly DeviceScene _scene;
@@ -289,8 +293,8 @@ namespace Glint
             var pose = jobs[0].Pose;
             if (!pose.HasEdges || pose.OnlyBounce != 0)
                 return;
-            // Faces meet at an edge up to that tolerance.
-            double offset = WedgeFinder.RelativeTolerance * math.distance(_scene.Min, _scene.Max);
+            // Clear of the faces at an edge, which may be apart.
+            double offset = 2 * _edges.Gap + RelativeEdgeOffset * math.distance(_scene.Min, _scene.Max);
             _tubes.TraceEdges(jobs, _edges, offset, add, cancel);
         }
 

@@ -17,6 +17,9 @@ namespace Glint
 
         public int Count { get; private set; }
 
+        /// <inheritdoc cref="WedgeSet.Gap"/>
+        public double Gap => _wedges.Gap;
+
         /// <summary>Wedges left out because a face is no perfect conductor.</summary>
         public int LeftOutCount => _wedges.CoatedCount;
 
