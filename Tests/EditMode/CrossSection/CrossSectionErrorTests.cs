@@ -35,9 +35,6 @@ namespace Glint.Tests
         // Of HV and VH, as a part of what is allowed: below it they are not compared.
         const double MinCrossError = 0.02;
 
-        // Of all of the table, on a machine that does other things too.
-        const int MaxMilliseconds = 3600000;
-
         /// <summary>A pose with its truth, and what the kernels made of it.</summary>
         sealed class Sample
         {
@@ -46,29 +43,39 @@ namespace Glint.Tests
             public double Said, True, Allowed, Scale;
             public bool IsMet, IsCross;
             public double Ratio => True / Said;
-            public string Name => $"{Target} {Number}";
             public override string ToString() =>
-                FormattableString.Invariant($"{Name}{(IsCross ? " HV, VH" : "")}: said {Said:g3} m, true {True:g3} m, scale {Scale:g3} m");
+                FormattableString.Invariant($"{Target} {Number}{(IsCross ? " HV, VH" : "")}: said {Said:g3} m, true {True:g3} m, scale {Scale:g3} m");
         }
 
         [TestCase(false)]
         [TestCase(true)]
-        [Timeout(MaxMilliseconds)]
+        [Timeout(3600000)]
         public void SaidErrors_OfRandomPoses_AreAboutTheTrueOnes(bool isNear)
         {
             int count = int.Parse(Environment.GetEnvironmentVariable(CountVariable) ?? DefaultCount.ToString(CultureInfo.InvariantCulture),
                 CultureInfo.InvariantCulture);
-            var all = Samples(count, isNear).ToArray();
+            var all = Samples((target, number) => number < count && ErrorPose.IsNear(target) == isNear).ToArray();
             var coPolar = all.Where(sample => !sample.IsCross && sample.Said > 0).ToArray();
             // Of many poses HV and VH are rounded zeros. What their errors leave out is in rcs.md.
             var crossPolar = all.Where(sample => sample.IsCross
                 && Math.Max(sample.Said, sample.True) > MinCrossError * sample.Allowed).ToArray();
             Print(coPolar);
             Print(crossPolar);
-            AssertAboutTrue(coPolar.Where(sample => sample.Name != OddEdge).ToArray(), count);
-            // At a finite range strips that second bounces meet at grazing incidence may be missed (rcs.md).
-            if (!isNear)
-                AssertWithinTolerance(crossPolar, count);
+            AssertAboutTrue(coPolar, count);
+            AssertWithinTolerance(crossPolar, count);
+        }
+
+        // Strips of grazing second bounces beside the line where two faces meet, and an edge that is just hidden all along: they
+        // were off by 0.6 to 8 mm, up to 1,400 times the error said.
+        [TestCase("dihedral", 30)]
+        [TestCase("top_hat", 4)]
+        [TestCase("near_dihedral", 49)]
+        [TestCase("near_trihedral", 33)]
+        [TestCase("near_trihedral", 44)]
+        public void ErrorsOfThinStrips_AreSaid(string target, int number)
+        {
+            foreach (var sample in Samples((each, pose) => each == target && pose == number))
+                Assert.That(sample.True, Is.LessThanOrEqualTo(Math.Max(sample.Allowed, 10 * sample.Said)), sample.ToString());
         }
 
         static void Print(Sample[] samples)
@@ -76,9 +83,6 @@ namespace Glint.Tests
             TestContext.WriteLine(Table(samples));
             TestContext.WriteLine(string.Join("\n", samples.Where(sample => sample.Ratio > 3)));
         }
-
-        // The fringe field of an edge of this trihedral is off by 0.6 mm in VV and HH, and the cause is not known (rcs.md).
-        const string OddEdge = "near_trihedral 44";
 
         // Shares of a part of the table scatter.
         static double ScatterOf(int count) => count < PosesOfABody ? 0.04 : 0;
@@ -111,11 +115,10 @@ namespace Glint.Tests
                     $"| {group.Key} | {ratios.Length} | {Math.Sqrt(ratios.Average(ratio => ratio * ratio)):0.00} | {ratios[ratios.Length / 2]:0.00} | {Percent(ratio => ratio < 1 / 3.0):0.0} | {Percent(ratio => ratio >= 1 / 3.0 && ratio <= 3):0.0} | {Percent(ratio => ratio > 3):0.0} | {Percent(ratio => ratio > 10):0.0} | {ratios.Last():0.0} | {100.0 * met.Count(sample => sample.True <= sample.Allowed) / met.Length:0.0} of {met.Length} |");
             }));
 
-        static IEnumerable<Sample> Samples(int count, bool isNear)
+        static IEnumerable<Sample> Samples(Func<string, int, bool> isTaken)
         {
             using (var tracer = new CrossSectionTracer(TestKernels.Tubes))
-                foreach (var rows in Truths().Where(row => row.Number < count && ErrorPose.IsNear(row.Target) == isNear)
-                    .GroupBy(row => row.Target))
+                foreach (var rows in Truths().Where(row => isTaken(row.Target, row.Number)).GroupBy(row => row.Target))
                 {
                     var scene = ErrorPose.SceneOf(rows.Key);
                     foreach (var (target, number, truth) in rows)
@@ -143,6 +146,7 @@ namespace Glint.Tests
 
         // A pose of each of the targets that take the least time, or all for the file of the variable.
         [Test]
+        [Timeout(3600000)]
         public void Truths_AreThoseOfTheReferenceTracer()
         {
             string file = Environment.GetEnvironmentVariable(FileVariable);
