@@ -27,15 +27,15 @@ bool RunsThrough(Cell cell, uint side)
     return MiddleWithin(cell, a, b) >= 0.0;
 }
 
-// Whether a ray is to look beside a side. None is needed if one through a corner of the cell has met the patch of the side
-// first, seen by all receivers, unless later bounces are to be looked at.
+// Whether a ray is to look beside a side that runs through a cell. None is needed if one through a corner of the cell has
+// met the patch of the side first, seen by all receivers, unless later bounces are to be looked at.
 bool NeedsRay(Cell cell, uint side, uint4 met)
 {
     TubePath path = (TubePath)0;
     path.Signature = NO_SIGNATURE;
     Sign(path, asuint(_Sides[SIDE_ROWS * side].w));
     Sign(path, (1u << _ReceiverCount) - 1);
-    return RunsThrough(cell, side) && !(IsChecked(cell) && any(met == path.Signature));
+    return !IsChecked(cell) || all(met != path.Signature);
 }
 
 // Rays that are to look beside the outlines in a cell, or TOO_MANY_RAYS. Lists have no order: a part of one would differ from
@@ -49,8 +49,11 @@ uint CountOutlineRays(Cell cell, uint4 met)
     for (; link != 0 && listed < MAX_LISTED; listed++)
     {
         uint4 side = _Links[link - 1];
-        through += RunsThrough(cell, side.x) ? 1 : 0;
-        rays += NeedsRay(cell, side.x, met) ? 1 : 0;
+        if (RunsThrough(cell, side.x))
+        {
+            through++;
+            rays += NeedsRay(cell, side.x, met) ? 1 : 0;
+        }
         link = side.z;
     }
     return through > MAX_SIDES || listed == MAX_LISTED ? TOO_MANY_RAYS : rays;
@@ -65,7 +68,7 @@ void ListOutlineRays(Cell cell, uint4 met, uint centre, uint rays)
     for (uint link = _Marks[OutlineWord(cell.Position >> cell.Level)]; link != 0;)
     {
         uint4 side = _Links[link - 1];
-        if (NeedsRay(cell, side.x, met))
+        if (RunsThrough(cell, side.x) && NeedsRay(cell, side.x, met))
         {
             if (ray < _ListCapacity.x)
                 _Outlines[ray] = uint2(centre, side.x);

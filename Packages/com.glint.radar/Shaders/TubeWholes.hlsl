@@ -14,11 +14,11 @@
 // same in each attempt.
 static const float MAX_HIDDEN_ERROR = 8.0;
 
-// Whether the middle of a cell that is summed as a whole answers far more strongly than its corners.
-bool HidesCurrents(TubePath tube, SurfacePoint at, uint receivers, float side)
+// Whether the middle of a cell that is summed as a whole answers far more strongly than its corners. strength: of its ray.
+bool HidesCurrents(TubePath tube, SurfacePoint at, uint receivers, float strength, float side)
 {
-    float strength = Thinning(SteepnessAt(tube, receivers), side) * StrengthAt(tube, at, receivers);
-    return CRUDE_ERROR * side * side * strength * WeightAt(tube, at, receivers) > MAX_HIDDEN_ERROR * CellError();
+    float thinned = Thinning(SteepnessAt(tube, receivers), side) * strength;
+    return CRUDE_ERROR * side * side * thinned * WeightAt(tube, at, receivers) > MAX_HIDDEN_ERROR * CellError();
 }
 
 // Adds the error of a cell whose corners see something, and its centre nothing: what is left out of the sum. A square
@@ -58,14 +58,14 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     {
         uint receivers = ReceiversOf(tube, at), bounce = tube.Path.Bounces - 1;
         bool isLeft = bounce >= cell.FirstBounce;
-        if (isLeft && cell.Level < MaxLevel() && HidesCurrents(tube, at, receivers, side))
+        float strength = StrengthAt(tube, at, receivers);
+        if (isLeft && cell.Level < MaxLevel() && HidesCurrents(tube, at, receivers, strength, side))
         {
             // What it has met before is summed for the whole cell.
             cell.FirstBounce = bounce;
             isHidden = true;
             break;
         }
-        float strength = StrengthAt(tube, at, receivers);
         [loop]
         for (uint number = 0; number < _ReceiverCount && isLeft; number++)
             if ((receivers >> number & 1) != 0)
