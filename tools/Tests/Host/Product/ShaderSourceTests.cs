@@ -18,7 +18,7 @@ public sealed partial class ShaderSourceTests
     static IEnumerable<string> Sources => Compute.Concat(Includes);
 
     /// <summary>
-    /// Unity compiles every kernel of a package on import; the tracers take seconds to half a minute each, the small ones
+    /// Unity compiles every kernel of a package on import; the tracers take seconds to a minute each, the small ones
     /// between them a tenth of a second.
     /// </summary>
     [TestCase("Trace.compute", 10, 14)]
