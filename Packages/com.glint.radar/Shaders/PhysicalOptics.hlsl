@@ -158,6 +158,9 @@ float Thinning(float gradient, float side)
 // In m2 a base cell: smaller currents may be rounded to 0.
 static const float MIN_CURRENTS = 1.0e-30;
 
+// Strength of a ray below which those beside it say nothing about its currents: in theirs.
+static const float MIN_STRENGTH = 1.0e-3;
+
 // About the largest p.C of a hit, m2 a base cell: that of a conductor. Its currents along the plane of incidence are those
 // that do not fall with the cosine of the incidence angle; towards a receiver along them they radiate nothing.
 float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
@@ -225,6 +228,16 @@ struct Changes
     float4 CoPolarU, CoPolarV, CrossPolarU, CrossPolarV;
 };
 
+// The changes of a tube, by its number.
+void SetChanges(uint tube, Changes changes)
+{
+    uint row = TUBE_EXTRAS * tube;
+    _TubeExtras[row + 1] = changes.CoPolarU;
+    _TubeExtras[row + 2] = changes.CoPolarV;
+    _TubeExtras[row + 3] = changes.CrossPolarU;
+    _TubeExtras[row + 4] = changes.CrossPolarV;
+}
+
 // Changes: of a tube that has them. Part: see _TubeParts. Rate: see RateOf.
 void AddTube(Tube tube, Changes changes, uint part, float3 rate)
 {
@@ -243,20 +256,25 @@ void AddTube(Tube tube, Changes changes, uint part, float3 rate)
     _Tubes[at] = tube;
     if (_HasParts != 0)
         _TubeParts[at] = part;
-    uint row = TUBE_EXTRAS * at;
     if (_IsMoving != 0)
-        _TubeExtras[row] = float4(rate, 0.0);
-    if (!HasChanges(tube))
-        return;
-    _TubeExtras[row + 1] = changes.CoPolarU;
-    _TubeExtras[row + 2] = changes.CoPolarV;
-    _TubeExtras[row + 3] = changes.CrossPolarU;
-    _TubeExtras[row + 4] = changes.CrossPolarV;
+        _TubeExtras[TUBE_EXTRAS * at] = float4(rate, 0.0);
+    if (HasChanges(tube))
+        SetChanges(at, changes);
 }
 
 void AddTube(Tube tube, uint part, float3 rate)
 {
     AddTube(tube, (Changes)0, part, rate);
+}
+
+// Adds a tube of a ray through a place on the grid, towards a receiver. At a finite range TubeChanges finds how its currents
+// change, for which the place and the side of the cell are left in the first row of the changes.
+void AddTubeOf(Tube currents, float2 place, TubePath tube, SurfacePoint at, Receiver receiver, float side)
+{
+    Changes changes = (Changes)0;
+    changes.CoPolarU = float4(place, side, 0.0);
+    currents.Tag |= _IsNear != 0 ? CHANGES : 0;
+    AddTube(currents, changes, at.Part, RateTo(receiver, tube, at));
 }
 
 #endif

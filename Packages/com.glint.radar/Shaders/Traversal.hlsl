@@ -169,7 +169,9 @@ void Traverse(Ray ray, uint firstEntryPoint, uint2 met, bool anyHit, inout Trave
     TraverseInstanceBvh(ray, met, anyHit, state);
 #endif
 #ifndef GLINT_REFINE
-    DecideTie(state);
+    // Shadow rays ask for any triangle.
+    if (!anyHit)
+        DecideTie(state);
 #endif
 }
 

@@ -57,6 +57,7 @@ static const uint CORNER_ARGUMENTS = 48;
 static const uint CENTRE_ARGUMENTS = 60;
 static const uint OUTLINE_ARGUMENTS = 72;
 static const uint WHOLE_ARGUMENTS = 84;
+static const uint CHANGE_ARGUMENTS = 96;
 
 // GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
 // The piece is a polygon in the plane of the grid, whose unit is a base cell.

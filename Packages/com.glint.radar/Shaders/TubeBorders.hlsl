@@ -130,7 +130,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     SetPiece(currents, piece, place);
                     currents.Error = isStraight ? BentAreaError(chord, directions, width, currents.Gradient)
                         : CRUDE_ERROR * area;
-                    AddChangingTube(currents, tube, at, number, receiver, receivers, strength, side, 1.0);
+                    AddTubeOf(currents, CentreOfCell(cell) + place, tube, at, receiver, side);
                 }
             if (!ScatterTube(tube, at))
                 break;

@@ -35,6 +35,8 @@
 #include "TubePoints.hlsl"
 #elif defined(GLINT_WHOLES)
 #include "TubeWholes.hlsl"
+#elif defined(GLINT_CHANGES)
+#include "TubeChanges.hlsl"
 #else
 #include "TubeBorders.hlsl"
 #endif

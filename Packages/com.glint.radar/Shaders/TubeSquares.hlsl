@@ -5,9 +5,6 @@
 
 // Sums a cell whose rays have met the same at a bounce, as one tube.
 
-// Strength at the centre of a square below which that of its corners says nothing about its currents: in theirs.
-static const float MIN_STRENGTH = 1.0e-3;
-
 // How much phases that are bent at the corners of a square matter, rad (SquareIntegral): where the phase runs along a side,
 // x half of it over the side, the integral of a curvature's powers falls faster than the square's own.
 float SizeOf(float3 bends, float2 x)
@@ -96,63 +93,11 @@ float3 BendsOf(Bounce bounce, Receiver receiver)
         PhaseOf(bounce.Twist, receiver));
 }
 
-// What a ray beside a hit meets, some base cells away: the same, to first order.
-void MoveBeside(inout TubePath tube, inout SurfacePoint at, float2 step)
-{
-    float3 d = tube.Path.Ray.Direction, turn = step.x * tube.DirectionU + step.y * tube.DirectionV, v = tube.V;
-    float roll = dot(step, tube.Roll);
-    tube.Path.Ray.Origin += step.x * tube.PlaceU + step.y * tube.PlaceV;
-    tube.Path.Ray.Direction = normalize(d + turn);
-    tube.V += roll * tube.H - d * dot(turn, tube.V);
-    tube.H -= roll * v + d * dot(turn, tube.H);
-    at.Normal = normalize(at.Normal + step.x * at.NormalU + step.y * at.NormalV);
-}
-
-// How the currents of a tube change over a length by u and v, base cells, for the strength of its ray: directions and
-// polarisations are those of each place. reach: that length; side: of the cell. isKnown: they are not past a silhouette.
-Changes FindChanges(TubePath tube, SurfacePoint at, uint index, uint receivers, float strength, float side, float reach,
-    out bool isKnown)
-{
-    Changes changes = (Changes)0;
-    isKnown = true;
-    [loop]
-    for (uint place = 0; place < 4; place++)
-    {
-        float sense = 2.0 * (place & 1) - 1.0;
-        float2 step = place < 2 ? float2(sense, 0.0) : float2(0.0, sense);
-        TubePath beside = tube;
-        SurfacePoint there = at;
-        MoveBeside(beside, there, 0.5 * side * step);
-        float strengthThere = StrengthAt(beside, there, receivers);
-        // Past a silhouette there is nothing.
-        isKnown = isKnown && !IsNaN(strengthThere) && strengthThere > max(MIN_STRENGTH * strength, MIN_CURRENTS);
-        Tube currents = CurrentsAt(beside, there, index, ReceiverFrom(index, beside.Path.Ray.Origin));
-        float2 part = isKnown ? reach / side * strength / strengthThere * step : 0.0;
-        changes.CoPolarU += part.x * currents.CoPolar;
-        changes.CoPolarV += part.y * currents.CoPolar;
-        changes.CrossPolarU += part.x * currents.CrossPolar;
-        changes.CrossPolarV += part.y * currents.CrossPolar;
-    }
-    return changes;
-}
-
-// Adds a tube. At a finite range its currents change along it: see FindChanges.
-void AddChangingTube(Tube currents, TubePath tube, SurfacePoint at, uint index, Receiver receiver, uint receivers,
-    float strength, float side, float reach)
-{
-    Changes changes = (Changes)0;
-    bool isKnown = false;
-    if (_IsNear != 0)
-        changes = FindChanges(tube, at, index, receivers, strength, side, reach, isKnown);
-    currents.Tag |= isKnown ? CHANGES : 0;
-    AddTube(currents, changes, at.Part, RateTo(receiver, tube, at));
-}
-
 static const uint NO_RECEIVER = 0xffffffff;
 
 // Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
-// corners: see BounceOf. strength, weight: of the ray.
-bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, float strength, float weight, float side,
+// corners: see BounceOf. centre: on the grid. strength, weight: of the ray.
+bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uint receivers, float strength, float weight, float side,
     bool canDivide)
 {
     Bounce bounce = (Bounce)0;
@@ -200,7 +145,7 @@ bool AddSquare(uint4 corners, TubePath tube, SurfacePoint at, uint receivers, fl
             currents.Corners01.x = side;
             currents.Corners23 = strength > max(MIN_STRENGTH * mean, MIN_CURRENTS) ? bounce.Strength / strength
                 : float4(1.0, 0.0, 0.0, 0.0);
-            AddChangingTube(currents, tube, at, index, receiver, receivers, strength, side, 0.5 * side);
+            AddTubeOf(currents, centre, tube, at, receiver, side);
         }
     return true;
 }

@@ -170,6 +170,7 @@ void PrepareCells()
     StoreGroups(CORNER_ARGUMENTS, GroupsOf(BLOCK_CORNERS * (cells / BLOCK_CELLS),
         BLOCK_CORNERS * (_ListCapacity.y / BLOCK_CELLS), GLINT_GROUP), 1);
     StoreGroups(TUBE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, TUBES_A_GROUP), _FrequencyGroups);
+    StoreGroups(CHANGE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, GLINT_GROUP), 1);
     _Sums[TUBE_CELLS] = _Sums[TUBE_NEXT_CELLS];
     _Sums[TUBE_CELLS + 1] = _Sums[TUBE_NEXT_CELLS + 1];
     ClearList(TUBE_NEXT_CELLS);

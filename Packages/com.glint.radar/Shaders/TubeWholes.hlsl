@@ -76,7 +76,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 currents.Corners23.x = 1.0;
                 currents.Bent = BentErrorAt(tube, at, receiver, side);
                 currents.Error = CRUDE_ERROR * side * side * Thinning(length(currents.Gradient), side);
-                AddChangingTube(currents, tube, at, number, receiver, receivers, strength, side, 0.5 * side);
+                AddTubeOf(currents, CentreOfCell(cell), tube, at, receiver, side);
                 isSummed = true;
             }
         if (!ScatterTube(tube, at))

@@ -114,6 +114,7 @@ namespace Glint.Tests
                     ["CORNER_ARGUMENTS"] = TubeRounds.CornerArguments,
                     ["CENTRE_ARGUMENTS"] = TubeRounds.CentreArguments,
                     ["OUTLINE_ARGUMENTS"] = TubeRounds.OutlineArguments, ["WHOLE_ARGUMENTS"] = TubeRounds.WholeArguments,
+                    ["CHANGE_ARGUMENTS"] = TubeRounds.ChangeArguments,
                     ["TUBE_EXTRAS"] = TubeKernels.TubeExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
@@ -166,9 +167,9 @@ namespace Glint.Tests
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,
                 TubeRounds.BisectArguments, TubeRounds.CornerArguments, TubeRounds.CentreArguments,
-                TubeRounds.OutlineArguments, TubeRounds.WholeArguments };
-            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72, 84 }));
-            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(84 + 12));
+                TubeRounds.OutlineArguments, TubeRounds.WholeArguments, TubeRounds.ChangeArguments };
+            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72, 84, 96 }));
+            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(96 + 12));
         }
 
         // Tags of tubes have 8 bits for the receiver, 8 for the bounce, and the corners above.

@@ -99,6 +99,7 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._Poses, _poses.Buffer);
             _shader.SetInt(TubeIDs._PoseCount, jobs.Count);
             SetReceivers(_shader, pose);
+            _rounds.FindsChanges = !pose.IsFar;
             _shader.SetInt(TubeIDs._SlotCount, TubeSums.SlotsOf(pose));
             _shader.SetInt(TubeIDs._SumCopies, TubeSums.CopiesOf(pose));
             _shader.SetInt(TubeIDs._IsMonostatic, pose.IsMonostatic ? 1 : 0);

@@ -11,11 +11,11 @@ namespace Glint
     sealed class TubeRounds : IDisposable
     {
         /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
-        public const int ArgumentWords = 24;
+        public const int ArgumentWords = 27;
 
         /// <inheritdoc cref="ArgumentWords"/>
         public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36,
-            CornerArguments = 48, CentreArguments = 60, OutlineArguments = 72, WholeArguments = 84;
+            CornerArguments = 48, CentreArguments = 60, OutlineArguments = 72, WholeArguments = 84, ChangeArguments = 96;
 
         // Rays that a thread traces at most: a software device ends a thread's loops after 65,535 iterations in all.
         readonly int _raysAThread = SoftwareDevice.IsInUse ? 4 : 32;
@@ -42,6 +42,9 @@ namespace Glint
             /// </summary>
             public readonly int Outlines, Centres, Wholes;
 
+            /// <summary>After all rounds: those of tubes again, at a finite range.</summary>
+            public readonly int Changes;
+
             public RayKernels(ComputeShader shader)
             {
                 Corners = shader.FindKernel("TubeCorners");
@@ -49,6 +52,7 @@ namespace Glint
                 Outlines = shader.FindKernel("TubeOutlines");
                 Centres = shader.FindKernel("TubeCentres");
                 Wholes = shader.FindKernel("TubeWholes");
+                Changes = shader.FindKernel("TubeChanges");
             }
         }
 
@@ -68,8 +72,11 @@ namespace Glint
             _summing = _sums;
             Kernels = new[] { _cells, _bisect, _borders };
             if (rays != null)
-                Kernels = Kernels.Concat(new[] { rays.Corners, rays.Outlines, rays.Centres, rays.Wholes }).ToArray();
+                Kernels = Kernels.Concat(new[] { rays.Corners, rays.Outlines, rays.Centres, rays.Wholes, rays.Changes }).ToArray();
         }
+
+        /// <summary>Whether currents change along tubes: at a finite range.</summary>
+        public bool FindsChanges { get; set; }
 
         /// <summary>The kernel TubeSums.</summary>
         public int Summing => _sums;
@@ -142,6 +149,8 @@ namespace Glint
                     _shader.DispatchIndirect(_rays.Wholes, _arguments, WholeArguments);
                 _shader.Dispatch(_prepareCells, 1, 1, 1);
             }
+            if (FindsChanges)
+                _shader.DispatchIndirect(_rays.Changes, _arguments, ChangeArguments);
             _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
         }
 
