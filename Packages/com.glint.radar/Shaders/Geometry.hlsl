@@ -95,9 +95,8 @@ float MaxComponent(float3 v)
 
 // Distance to a triangle, from its corners in the ray's coordinates and the edge functions opposite to them; MISS
 // outside. A ray through an edge or a corner, where an edge function is 0, is inside. AmbiguousDistance: lower bound of
-// the true distance if an edge function is within its error, else MISS. LowerDistance: lower bound of the true distance
-// if the ray hits, else MISS. MaxEdgeError: bound of the errors of all edge functions; below 0: these distances are not
-// asked for.
+// the true distance if an edge function is within its error, else MISS; MISS too where no refine pass follows.
+// LowerDistance: lower bound of the true distance if the ray hits, else MISS. MaxEdgeError: bound of the errors of all edge functions.
 float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionError, float maxEdgeError,
     out float ambiguousDistance, out float lowerDistance)
 {
@@ -106,6 +105,7 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionErro
     float toHit = dot(sides, distances) / sum;
     bool isInside = (MinComponent(sides) >= 0.0 || MaxComponent(sides) <= 0.0) && abs(sum) > 0.0;
     ambiguousDistance = MISS;
+#ifndef GLINT_UNREFINED
     if (MinComponent(abs(sides)) <= maxEdgeError)
     {
         float3 edgeErrors =
@@ -126,6 +126,7 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionErro
                     abs(sum) > edgeError ? max(nearest, toHit - (farthest - nearest) * edgeError / abs(sum)) : nearest);
         }
     }
+#endif
     bool isHit = isInside && toHit > 0.0;
     lowerDistance = MISS;
     if (isHit)
@@ -147,12 +148,7 @@ float2 HitPair(TraversalRay ray, float3 corner0, float3 corner1, float3 corner2,
     float farthest = max(max(p0.z, p1.z), max(p2.z, p3.z)),
         widest = max(max(SumOfSizes(p0.xy), SumOfSizes(p1.xy)), max(SumOfSizes(p2.xy), SumOfSizes(p3.xy)));
     float positionError = ray.PositionError + ray.DirectionError * farthest + SEEN_ROUNDING * widest;
-#ifdef GLINT_UNREFINED
-    // No refine pass follows: nobody asks what float32 cannot decide.
-    float maxEdgeError = -1.0;
-#else
     float maxEdgeError = 2.0 * positionError * widest;
-#endif
     bool isAlone = all(corner2 == corner3);
     float first =
         HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), positionError,
