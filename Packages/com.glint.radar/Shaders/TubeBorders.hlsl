@@ -18,7 +18,8 @@ struct BorderBend
 // Rays that find it: in the middle, a width beside it, and halfway.
 static const uint BEND_RAYS = 3;
 
-// Then a ray in each piece, which is followed to find its error, and again to sum it.
+// Then a ray in each piece, which is followed to sum it. The second one is followed before, to find from which bounce on it
+// is bent too much: up to there the first one is summed as far as itself is not.
 static const uint PIECES = 2;
 static const uint ALL_BOUNCES = 0xffffffff;
 
@@ -79,20 +80,20 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     Cell known = cell;
     CellCorners corners = LoadCorners(known);
     BorderBend bend = (BorderBend)0;
-    uint checks = isStraight ? BEND_RAYS : 0, fits = canDivide ? PIECES : 0;
+    uint checks = isStraight ? BEND_RAYS : 0, fits = canDivide ? 1 : 0;
     // end: bounce from which on a piece is bent too much to be summed
     uint rays = 0, end = ALL_BOUNCES;
     bool isBent = false;
     [loop]
     for (uint ray = 0; ray < checks + fits + PIECES; ray++)
     {
-        if (ray == checks && canDivide && !isStraight)
+        if (ray == checks && canDivide && !isStraight || end <= cell.FirstBounce)
             break;
         // Pieces of flat facets have no bends.
         if (ray == checks && !isBent)
             fits = 0;
         // Across the middle of the chord, to whose right the piece between lies; then in the two pieces.
-        bool isCheck = ray < checks, isFit = !isCheck && ray < checks + fits, isFirst = (ray - checks & 1) == 0;
+        bool isCheck = ray < checks, isFit = !isCheck && ray < checks + fits, isFirst = ray == checks + fits;
         float2 shift = isStraight ? BEND_AREA * width * bend.Offset * across : 0.0;
         uint startSide = isFirst ? border.Sides.y : border.Sides.x, stopSide = isFirst ? border.Sides.x : border.Sides.y;
         Piece piece = PieceBetween((isFirst ? second : first) + shift, startSide, (isFirst ? first : second) + shift,
@@ -111,17 +112,21 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             bool isLeft = bounce >= cell.FirstBounce;
             isBent = isBent || isLeft && BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side) > 0.0;
             float strength = isCheck || !isLeft ? 0.0 : StrengthAt(tube, at, receivers);
+            // The errors of all receivers, then the sums.
             [loop]
-            for (uint number = 0; number < _ReceiverCount && !isCheck && isLeft; number++)
-                if ((receivers >> number & 1) != 0)
+            for (uint step = isFit || isFirst && fits > 0 ? 0 : 1; step < (isFit ? 1 : 2) && !isCheck && isLeft; step++)
+                [loop]
+                for (uint number = 0; number < _ReceiverCount; number++)
                 {
+                    if ((receivers >> number & 1) == 0 || bounce >= end)
+                        continue;
                     Receiver receiver = ReceiverFrom(number, tube.Path.Ray.Origin);
                     Tube currents = CurrentsAt(tube, at, number, receiver);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
                     if (isStraight)
                         FitPiece(currents, piece, startSide, place, corners, tube, at, number, receiver, strength);
                     float area = AreaOf(piece, side) * Thinning(length(currents.Gradient), side);
-                    if (isFit)
+                    if (step == 0)
                     {
                         if (currents.Bent * area * strength * WeightAt(tube, at, receivers) > CellError())
                             end = bounce;
