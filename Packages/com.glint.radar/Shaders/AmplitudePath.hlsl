@@ -192,7 +192,8 @@ Return Follow(float2 position, uint recorded)
     return result;
 }
 
-uint SignatureAt(float2 position, Cell cell)
+// The amplitude needs all bounces.
+uint SignatureAt(float2 position, Cell cell, uint bounces)
 {
     return Follow(position, NO_POINT).Signature;
 }

@@ -56,6 +56,17 @@ CellCorners LoadCorners(inout Cell cell)
     return corners;
 }
 
+// Signature of the path through a corner up to a bounce, beside those of its cell.
+uint SignatureUpTo(Cell cell, uint corner, uint bounces)
+{
+    uint element = CornerOfCell(cell.Number, uint2(CornerOf(corner) > 0.0), _Round) * _MaxBounces;
+    bounces = min(bounces, BouncesOf(_Corners[element]));
+    if (bounces == 0)
+        return NO_SIGNATURE;
+    Corner hit = _Corners[element + bounces - 1];
+    return IsKinked(cell) ? FineSignature(hit.Signature, FacetsOf(hit)) : hit.Signature;
+}
+
 // Signatures of the paths of the corners, which tell facets apart too.
 uint4 FineSignatures(CellCorners corners)
 {

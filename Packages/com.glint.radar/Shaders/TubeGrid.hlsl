@@ -81,8 +81,8 @@ uint SignatureIn(Cell cell, TubePath tube)
     return IsKinked(cell) ? FineSignature(tube.Signature, FacetsOf(tube)) : tube.Signature;
 }
 
-// Signature of the ray through a position of the grid, beside those of a cell.
-uint SignatureAt(float2 position, Cell cell)
+// Signature of the ray through a position of the grid up to a bounce, beside those of a cell.
+uint SignatureAt(float2 position, Cell cell, uint bounces)
 {
     TubePath tube = BeginTube(position);
     SurfacePoint at;
@@ -90,7 +90,7 @@ uint SignatureAt(float2 position, Cell cell)
     while (AdvanceTube(tube, at))
     {
         Sign(tube, ReceiversOf(tube, at));
-        if (!ScatterTube(tube, at))
+        if (tube.Path.Bounces == bounces || !ScatterTube(tube, at))
             break;
     }
     return SignatureIn(cell, tube);
