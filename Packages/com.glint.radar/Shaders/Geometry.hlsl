@@ -96,7 +96,8 @@ float MaxComponent(float3 v)
 // Distance to a triangle, from its corners in the ray's coordinates and the edge functions opposite to them; MISS
 // outside. A ray through an edge or a corner, where an edge function is 0, is inside. AmbiguousDistance: lower bound of
 // the true distance if an edge function is within its error, else MISS; MISS too where no refine pass follows.
-// LowerDistance: lower bound of the true distance if the ray hits, else MISS. MaxEdgeError: bound of the errors of all edge functions.
+// LowerDistance: lower bound of the true distance if the ray hits, else MISS. MaxEdgeError: bound of the errors of all edge
+// functions.
 float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionError, float maxEdgeError,
     out float ambiguousDistance, out float lowerDistance)
 {

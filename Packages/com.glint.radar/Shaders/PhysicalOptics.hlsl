@@ -267,12 +267,12 @@ void AddTube(Tube tube, uint part, float3 rate)
     AddTube(tube, (Changes)0, part, rate);
 }
 
-// Adds a tube of a ray through a place on the grid, towards a receiver. At a finite range TubeChanges finds how its currents
-// change, for which the place and the side of the cell are left in the first row of the changes.
-void AddTubeOf(Tube currents, float2 place, TubePath tube, SurfacePoint at, Receiver receiver, float side)
+// Adds a tube of a ray through a position of the grid, towards a receiver. At a finite range TubeChanges finds how its currents
+// change, for which the position and the side of the cell are left in the first row of the changes.
+void AddTubeOf(Tube currents, float2 position, TubePath tube, SurfacePoint at, Receiver receiver, float side)
 {
     Changes changes = (Changes)0;
-    changes.CoPolarU = float4(place, side, 0.0);
+    changes.CoPolarU = float4(position, side, 0.0);
     currents.Tag |= _IsNear != 0 ? CHANGES : 0;
     AddTube(currents, changes, at.Part, RateTo(receiver, tube, at));
 }

@@ -51,7 +51,7 @@ BothSides PartingPaths(Cell cell, Border border, uint which)
 
 // Bisections whose rays are followed to the end, to find what else is there; those of the others to where the paths on both
 // sides part.
-static const uint WHOLE_PATHS = 2;
+static const uint WHOLE_PATHS = 3;
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)

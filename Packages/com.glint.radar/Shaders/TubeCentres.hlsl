@@ -38,7 +38,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             corners.AreSame = corners.AreSame && goesOn;
             if (goesOn && bounce >= firstBounce)
             {
-                goesOn = AddSquare(corners.Elements + bounce, CentreOfCell(cell), tube, at, receivers, strength, weight, side, canDivide);
+                goesOn = AddSquare(corners.Elements + bounce, CentreOfCell(cell), tube, at, receivers, strength, weight, side,
+                    canDivide);
                 cell.FirstBounce = goesOn ? bounce + 1 : cell.FirstBounce;
             }
             if (!goesOn)

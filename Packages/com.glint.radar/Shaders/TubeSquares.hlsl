@@ -97,8 +97,8 @@ static const uint NO_RECEIVER = 0xffffffff;
 
 // Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
 // corners: see BounceOf. centre: on the grid. strength, weight: of the ray.
-bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uint receivers, float strength, float weight, float side,
-    bool canDivide)
+bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uint receivers, float strength, float weight,
+    float side, bool canDivide)
 {
     Bounce bounce = (Bounce)0;
     uint seenFrom = NO_RECEIVER;
