@@ -231,7 +231,7 @@ struct Changes
 // The changes of a tube, by its number.
 void SetChanges(uint tube, Changes changes)
 {
-    uint row = TUBE_EXTRAS * tube;
+    uint row = _ExtraRows * tube;
     _TubeExtras[row + 1] = changes.CoPolarU;
     _TubeExtras[row + 2] = changes.CoPolarV;
     _TubeExtras[row + 3] = changes.CrossPolarU;
@@ -257,7 +257,7 @@ void AddTube(Tube tube, Changes changes, uint part, float3 rate)
     if (_HasParts != 0)
         _TubeParts[at] = part;
     if (_IsMoving != 0)
-        _TubeExtras[TUBE_EXTRAS * at] = float4(rate, 0.0);
+        _TubeExtras[_ExtraRows * at] = float4(rate, 0.0);
     if (HasChanges(tube))
         SetChanges(at, changes);
 }

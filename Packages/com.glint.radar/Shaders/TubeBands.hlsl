@@ -54,7 +54,7 @@ float LargestSlope(Tube tube, uint index)
     float largest = 0.0;
     for (uint row = 1; row < TUBE_EXTRAS && HasChanges(tube); row++)
     {
-        float4 slope = _TubeExtras[TUBE_EXTRAS * index + row];
+        float4 slope = _TubeExtras[_ExtraRows * index + row];
         largest = max(largest, dot(slope, slope));
     }
     return sqrt(largest);
@@ -69,7 +69,7 @@ uint SetWave(uint thread, uint index, float4 size, float4 centre, float4 step)
     float metres = tube.Phase;
     if (_IsMoving != 0)
     {
-        float3 rate = _TubeExtras[TUBE_EXTRAS * index].xyz;
+        float3 rate = _TubeExtras[_ExtraRows * index].xyz;
         turns = Add(turns, Mul(Mul(turnsPerMetre, centre.w), rate.z));
         gradient += centre.w * rate.xy;
         metres += centre.w * rate.z;

@@ -317,7 +317,8 @@ uint _HasParts;                            // 0: they are not asked for
 // Rows of each tube. Its rate, if something moves: see RateOf. If it has CHANGES, those of CoPolar along u and along v, then of
 // CrossPolar: over half of a square or edge, or over a base cell.
 RWStructuredBuffer<float4> _TubeExtras;
-static const uint TUBE_EXTRAS = 5;
+static const uint TUBE_EXTRAS = 5;         // at a finite range
+uint _ExtraRows;                           // TUBE_EXTRAS, or 1 where no tube has CHANGES
 
 // GLINT_CORNER: what the ray through a corner of a cell has met at a bounce (Runtime/CrossSection/Tube.cs).
 struct Corner

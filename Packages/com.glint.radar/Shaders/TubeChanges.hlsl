@@ -59,7 +59,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     uint slot = currents.Tag & 0xff;
     s_pose = slot / _SlotCount;
-    float4 left = _TubeExtras[TUBE_EXTRAS * index + 1];
+    float4 left = _TubeExtras[_ExtraRows * index + 1];
     TubePath tube = BeginTube(left.xy);
     SurfacePoint at;
     // Additions to one word wait for each other.

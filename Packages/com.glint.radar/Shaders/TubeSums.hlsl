@@ -282,7 +282,7 @@ void AddSlopes(inout Radiation radiation, Tube tube, uint index, float k, float2
     }
     alongU = ComplexMul(alongU, unit);
     alongV = ComplexMul(alongV, unit);
-    uint row = TUBE_EXTRAS * index + 1;
+    uint row = _ExtraRows * index + 1;
     float4 coPolarU = _TubeExtras[row], coPolarV = _TubeExtras[row + 1], crossPolarU = _TubeExtras[row + 2],
         crossPolarV = _TubeExtras[row + 3];
     radiation.VV += ComplexMul(alongU, coPolarU.xy) + ComplexMul(alongV, coPolarV.xy);
@@ -299,7 +299,7 @@ Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
 #ifndef GLINT_AMPLITUDE
     if (_IsMoving != 0)
     {
-        float3 rate = _TubeExtras[TUBE_EXTRAS * index].xyz;
+        float3 rate = _TubeExtras[_ExtraRows * index].xyz;
         phase = Add(phase, Mul(Mul(turnsPerMetre, waveNumber.w), rate.z));
         w += k * waveNumber.w * rate.xy;
     }

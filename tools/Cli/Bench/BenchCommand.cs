@@ -62,7 +62,7 @@ sealed class BenchCommand(Terminal terminal)
 
     string[] Tubes(CommandLine line, RadarController radar, OutputFile json, OutputFile plot, IProgressSink progress)
     {
-        var result = new TubeBench(radar.Kernel, radar.TubeKernel, line.Get(Options.Rounds), progress).Run();
+        var result = new TubeBench(radar.Kernel, radar.TubeKernel, line.Get(Options.Rounds), GraphicsDevice.Current.Clock, progress).Run();
         json?.Write(stream => TubeJson.Write(stream, result));
         plot.Write(stream => TubePlot.Write(stream, result));
         return [.. new TubeTables(terminal).Lines(result), .. Written(plot, json)];

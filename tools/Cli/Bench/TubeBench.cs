@@ -4,6 +4,7 @@ using System.Linq;
 using Glint.Core;
 using Glint.Host;
 using Glint.Reference;
+using Glint.Vulkan;
 using UnityEngine;
 
 namespace Glint.Cli;
@@ -12,7 +13,7 @@ namespace Glint.Cli;
 /// Measures ray tubes at several tolerances beside uniform rays. Each is compared with the amplitude by clipped tubes
 /// in double precision.
 /// </summary>
-sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int rounds, IProgressSink progress)
+sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int rounds, GpuClock clock, IProgressSink progress)
 {
     /// <summary>Relative errors that the tubes are asked for.</summary>
     public static readonly double[] Tolerances = [0.3, 0.1, 0.03, TubeScene.Goal, 0.003];
@@ -30,6 +31,7 @@ sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int round
         using var tubes = new AmplitudeTracer(tubeKernel, "ray tubes");
         var scenes = AccuracyScene.All();
         progress.Start("ray tubes", scenes.Count);
+        clock.IsOn = clock.IsSupported;
         try
         {
             foreach (var scene in scenes)
@@ -40,6 +42,7 @@ sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int round
         }
         finally
         {
+            clock.IsOn = false;
             progress.Finish();
         }
         return result;
@@ -57,21 +60,28 @@ sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int round
             .. AccuracyBench.Across.Select(across => PoseOf(scene, AccuracyBench.SettingsOf(across))),
         ];
         var times = Array.ConvertAll(poses, pose => new Series());
+        var kernels = Array.ConvertAll(poses, pose => new Series());
         var results = new RadarResult[poses.Length];
         // They take turns, so that a slow phase of the machine affects all. The first round is a warm-up.
         for (int round = 0; round <= rounds; round++)
             for (int i = 0; i < poses.Length; i++)
             {
+                if (clock.IsOn)
+                    clock.Reset();
                 var watch = Stopwatch.StartNew();
                 results[i] = poses[i].Settings.ToleranceDb > 0 ? tubes.Trace(poses[i], null, progress.Cancel)
                     : uniform.Trace(poses[i], RayReadback.None, null, progress.Cancel);
                 if (round > 0)
+                {
                     times[i].Add(watch.Elapsed.TotalMilliseconds);
+                    if (clock.IsOn)
+                        kernels[i].Add(clock.Read());
+                }
                 new Part(progress, 2, 3).Report((round + (i + 1.0) / poses.Length) / (rounds + 1));
             }
         for (int i = 0; i < poses.Length; i++)
             (poses[i].Settings.ToleranceDb > 0 ? measured.Tubes : measured.Uniform).Add(new TubeRow(
-                poses[i].Settings, results[i], times[i], measured.ErrorOf(results[i].NormalisedAmplitude)));
+                poses[i].Settings, results[i], times[i], kernels[i], measured.ErrorOf(results[i].NormalisedAmplitude)));
         return measured;
     }
 

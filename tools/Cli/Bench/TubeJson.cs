@@ -35,6 +35,7 @@ static class TubeJson
         [name] = value,
         ["rays"] = row.Rays,
         ["trace_ms"] = row.Times.Median,
+        ["kernels_ms"] = row.KernelTimes.Count > 0 ? row.KernelTimes.Median : null,
         ["normalised_amplitude"] = row.Result.NormalisedAmplitude,
         ["amplitude_error_relative"] = row.Error,
         ["sampling_error"] = row.Result.SamplingError,

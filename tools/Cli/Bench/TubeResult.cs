@@ -18,6 +18,17 @@ sealed class TubeResult
     /// <summary>Over the scenes, for each number of uniform rays.</summary>
     public IEnumerable<TubeMean> UniformMeans => Means(scene => scene.Uniform);
 
+    /// <summary>
+    /// What uniform rays take to the goal for each of what tubes take: geometric mean over the scenes in which they reach it.
+    /// NaN if there are none.
+    /// </summary>
+    public double RatioAtGoal(Func<TubeRow, double> value)
+    {
+        var scenes = Scenes.Where(scene => scene.FewestUniform != null).ToArray();
+        return scenes.Length == 0 ? double.NaN
+            : Math.Exp(scenes.Average(scene => Math.Log(value(scene.FewestUniform) / value(scene.TubesAtGoal))));
+    }
+
     IEnumerable<TubeMean> Means(Func<TubeScene, IReadOnlyList<TubeRow>> rowsOf) =>
         Enumerable.Range(0, rowsOf(Scenes[0]).Count).Select(i =>
             new TubeMean([.. Scenes.Select(scene => rowsOf(scene)[i])]));
@@ -33,6 +44,9 @@ sealed class TubeMean(TubeRow[] rows)
 
     /// <summary>Geometric mean, milliseconds.</summary>
     public double Time => Mean(row => row.Times.Median);
+
+    /// <summary>The same of the kernels; NaN on a device without a clock.</summary>
+    public double KernelTime => Mean(row => row.KernelTimes.Median);
 
     /// <summary>Median of the magnitudes.</summary>
     public double Error => _errors.Median;

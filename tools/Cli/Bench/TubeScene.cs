@@ -24,6 +24,9 @@ sealed class TubeScene(AccuracyScene scene, Complex converged, double uncertaint
     /// <summary>Uniform rays, in ascending number.</summary>
     public List<TubeRow> Uniform { get; } = [];
 
+    /// <summary>Ray tubes that are asked for the goal.</summary>
+    public TubeRow TubesAtGoal => Tubes[Array.IndexOf(TubeBench.Tolerances, Goal)];
+
     /// <summary>
     /// The fewest uniform rays within the goal from which on more rays stay so; null if there are none.
     /// </summary>

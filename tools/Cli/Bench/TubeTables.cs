@@ -23,12 +23,17 @@ sealed class TubeTables(Terminal terminal)
             $"Ray tubes to {TubeScene.Goal:0 %}, beside the fewest uniform rays that reach it (*: none does; the most traced)");
         foreach (string line in _text.Lines(AtTheGoal(result)))
             yield return line;
+        yield return "";
+        double rays = result.RatioAtGoal(row => row.Rays), time = result.RatioAtGoal(row => row.Times.Median),
+            kernels = result.RatioAtGoal(row => row.KernelTimes.Median);
+        yield return Text(
+            $"Where uniform rays reach it, they take {rays:0.0} times the rays, {time:0.0} times the time, {kernels:0.0} times that of the kernels (geometric means)");
     }
 
     Table Means(TubeResult result)
     {
-        var table = _text.New(1, "", "rays", "ms", "error, %", "largest, %");
-        void Add(string name, TubeMean mean) => table.AddRow(Escaped(name, Text($"{mean.Rays:N0}"), Ms(mean.Time),
+        var table = _text.New(1, "", "rays", "ms", "kernels, ms", "error, %", "largest, %");
+        void Add(string name, TubeMean mean) => table.AddRow(Escaped(name, Text($"{mean.Rays:N0}"), Ms(mean.Time), Ms(mean.KernelTime),
             Text($"{100 * mean.Error:0.00}"), Text($"{100 * mean.LargestError:0.00}")));
         foreach (var (tolerance, mean) in TubeBench.Tolerances.Zip(result.TubeMeans))
             Add(Text($"tubes, {100 * tolerance} %"), mean);
@@ -39,18 +44,18 @@ sealed class TubeTables(Terminal terminal)
 
     Table AtTheGoal(TubeResult result)
     {
-        var table = _text.New(1, "scene", "converged", "rays", "ms", "error, %", "said, %", "uniform rays", "ms",
-            "error, %");
+        var table = _text.New(1, "scene", "converged", "rays", "ms", "kernels, ms", "error, %", "said, %", "uniform rays", "ms",
+            "kernels, ms", "error, %");
         foreach (var scene in result.Scenes)
         {
-            var tubes = scene.Tubes[Array.IndexOf(TubeBench.Tolerances, TubeScene.Goal)];
+            var tubes = scene.TubesAtGoal;
             var uniform = scene.FewestUniform ?? scene.Uniform[^1];
             table.AddRow(Escaped(scene.Scene.Name,
                 Text($"{scene.Converged.Magnitude:0.000} ± {scene.Uncertainty:0.000}"),
-                Text($"{tubes.Rays:N0}"), Ms(tubes.Times.Median), Percent(tubes.Error),
+                Text($"{tubes.Rays:N0}"), Ms(tubes.Times.Median), Ms(tubes.KernelTimes.Median), Percent(tubes.Error),
                 Text($"{100 * tubes.Result.SamplingError / tubes.Result.NormalisedAmplitude:0.00}"),
                 Text($"{uniform.Rays:N0}{(scene.FewestUniform == null ? " *" : "")}"), Ms(uniform.Times.Median),
-                Percent(uniform.Error)));
+                Ms(uniform.KernelTimes.Median), Percent(uniform.Error)));
         }
         return table;
     }

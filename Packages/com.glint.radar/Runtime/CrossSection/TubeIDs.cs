@@ -11,6 +11,7 @@ namespace Glint
         public static readonly int _Motions = Shader.PropertyToID("_Motions");
         public static readonly int _IsMoving = Shader.PropertyToID("_IsMoving");
         public static readonly int _TubeExtras = Shader.PropertyToID("_TubeExtras");
+        public static readonly int _ExtraRows = Shader.PropertyToID("_ExtraRows");
         public static readonly int _Reflections = Shader.PropertyToID("_Reflections");
         public static readonly int _Receivers = Shader.PropertyToID("_Receivers");
         public static readonly int _ReceiverCount = Shader.PropertyToID("_ReceiverCount");

@@ -37,7 +37,7 @@ namespace Glint
         /// <summary>Rows of a side of a triangle on the outline of its patch: SIDE_ROWS.</summary>
         public const int SideRows = 3;
 
-        /// <summary>Rows of a tube in _TubeExtras: TUBE_EXTRAS.</summary>
+        /// <summary>Rows of a tube in _TubeExtras at a finite range: TUBE_EXTRAS.</summary>
         public const int TubeExtras = 5;
 
         /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
@@ -106,6 +106,7 @@ namespace Glint
             _shader.SetInt(TubeIDs._FadesShadows, pose.FadesShadows ? 1 : 0);
             _shader.SetInt(TubeIDs._OnlyBounce, pose.OnlyBounce);
             _shader.SetInt(TubeIDs._IsMoving, pose.IsMoving ? 1 : 0);
+            _shader.SetInt(TubeIDs._ExtraRows, ExtraRowsOf(pose));
             SetFrequencies(pose);
         }
 
@@ -127,6 +128,9 @@ namespace Glint
             _shader.SetInt(TubeIDs._FrequenciesAGroup, together);
             _shader.SetInt(TubeIDs._FrequencyGroups, groups);
         }
+
+        /// <summary>Rows of a tube in _TubeExtras: in the far field, where currents do not change along tubes, its rate.</summary>
+        public static int ExtraRowsOf(CrossSectionPose pose) => pose.IsFar ? 1 : TubeExtras;
 
         /// <summary>Sets what the receivers of poses have in common.</summary>
         public static void SetReceivers(ComputeShader shader, CrossSectionPose pose)
@@ -176,7 +180,7 @@ namespace Glint
 
         /// <inheritdoc cref="TubeRounds.SetLists"/>
         /// <param name="tubeParts">The part of each tube; one element if they are not asked for.</param>
-        /// <param name="tubeExtras"><see cref="TubeExtras"/> rows of each tube.</param>
+        /// <param name="tubeExtras"><see cref="ExtraRowsOf"/> rows of each tube.</param>
         public void SetLists(TubeLists lists, DeviceBuffer<uint> tubeParts, DeviceBuffer<float4> tubeExtras)
         {
             _rounds.SetLists(lists);

@@ -111,7 +111,7 @@ namespace Glint
                 TubeLists.WaveNumber(pose.PhaseFrequencyOf(sample), pose.TimeOf(sample))));
             _lists.ReserveRays(Corners, CornerCapacity(pose));
             _tubeParts.Reserve(tubeParts());
-            _tubeExtras.Reserve(pose.IsFar && !pose.IsMoving ? 1 : (long)TubeKernels.TubeExtras * Capacity);
+            _tubeExtras.Reserve(pose.IsFar && !pose.IsMoving ? 1 : (long)TubeKernels.ExtraRowsOf(pose) * Capacity);
             _kernels.SetLists(_lists, _tubeParts, _tubeExtras);
             int words = jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
             int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces);

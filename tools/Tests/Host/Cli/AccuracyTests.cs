@@ -137,6 +137,20 @@ public sealed class AccuracyTests
         Assert.That(svg.Value, Does.Contain("rays of a pose").And.Contain("milliseconds"));
     }
 
+    // Tubes of the fourth tolerance are asked for the goal.
+    [Test]
+    public void RatioAtGoal_IsTheMeanOverTheScenesThatUniformRaysReach()
+    {
+        TubeRow[] tubes = [Row(1, 1), Row(1, 1), Row(1, 1), Row(1, 10), Row(1, 1)];
+        var result = new TubeResult { Device = GraphicsDevice.Current.Info, Rounds = 1 };
+        result.Scenes.Add(TubeSceneOf("four times", tubes, [Row(3, 20), Row(1.001, 40)]));
+        result.Scenes.Add(TubeSceneOf("nine times", tubes, [Row(1.002, 90), Row(1.001, 180)]));
+        Assert.That(result.RatioAtGoal(row => row.Rays), Is.EqualTo(6).Within(1e-9).Percent);
+        Assert.That(result.RatioAtGoal(row => row.KernelTimes.Median), Is.EqualTo(6).Within(1e-9).Percent);
+        result.Scenes.Add(TubeSceneOf("never", tubes, [Row(3, 20)]));
+        Assert.That(result.RatioAtGoal(row => row.Rays), Is.EqualTo(6).Within(1e-9).Percent);
+    }
+
     [Test]
     public void TubeJson_HasErrorAndRaysOfEachMethod()
     {
@@ -148,6 +162,7 @@ public sealed class AccuracyTests
         var scene = JObject.Parse(Encoding.UTF8.GetString(stream.ToArray()))["scenes"][0];
         Assert.That(scene["tubes"][0]["amplitude_error_relative"].ToObject<double>(), Is.EqualTo(0.1).Within(1e-9));
         Assert.That(scene["uniform"][0]["rays"].ToObject<long>(), Is.EqualTo(300));
+        Assert.That(scene["uniform"][0]["kernels_ms"].ToObject<double>(), Is.EqualTo(15));
         Assert.That(scene["uniform"][0]["rays_across"].ToObject<int>(), Is.EqualTo(30));
     }
 
@@ -193,7 +208,7 @@ public sealed class AccuracyTests
         var settings = RadarSettings.Default;
         (settings.RaysAcross, settings.RaysDown) = (across, 10);
         var sums = new RadarSums { RaysOfPicture = settings.RayCount, RaysEmitted = settings.RayCount };
-        return new TubeRow(settings, new RadarResult(sums), new Series(across), amplitude - 1);
+        return new TubeRow(settings, new RadarResult(sums), new Series(across), new Series(0.5 * across), amplitude - 1);
     }
 
     static TubeScene TubeSceneOf(string name, TubeRow[] tubes, TubeRow[] uniform)
