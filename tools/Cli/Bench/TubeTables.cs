@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Spectre.Console;
@@ -44,18 +43,18 @@ sealed class TubeTables(Terminal terminal)
 
     Table AtTheGoal(TubeResult result)
     {
-        var table = _text.New(1, "scene", "converged", "rays", "ms", "kernels, ms", "error, %", "said, %", "uniform rays", "ms",
-            "kernels, ms", "error, %");
+        var table = _text.New(1, "scene", "converged", "rays", "ms", "error, %", "said, %", "uniform rays", "ms",
+            "error, %");
         foreach (var scene in result.Scenes)
         {
             var tubes = scene.TubesAtGoal;
             var uniform = scene.FewestUniform ?? scene.Uniform[^1];
             table.AddRow(Escaped(scene.Scene.Name,
                 Text($"{scene.Converged.Magnitude:0.000} ± {scene.Uncertainty:0.000}"),
-                Text($"{tubes.Rays:N0}"), Ms(tubes.Times.Median), Ms(tubes.KernelTimes.Median), Percent(tubes.Error),
+                Text($"{tubes.Rays:N0}"), Ms(tubes.Times.Median), Percent(tubes.Error),
                 Text($"{100 * tubes.Result.SamplingError / tubes.Result.NormalisedAmplitude:0.00}"),
                 Text($"{uniform.Rays:N0}{(scene.FewestUniform == null ? " *" : "")}"), Ms(uniform.Times.Median),
-                Ms(uniform.KernelTimes.Median), Percent(uniform.Error)));
+                Percent(uniform.Error)));
         }
         return table;
     }
