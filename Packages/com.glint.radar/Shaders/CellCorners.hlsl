@@ -30,6 +30,12 @@ uint CommonBounces(CellCorners corners)
     return common;
 }
 
+// First element of a corner of a cell of this round.
+uint ElementOf(Cell cell, uint corner)
+{
+    return CornerOfCell(cell.Number, uint2(CornerOf(corner) > 0.0), _Round) * _MaxBounces;
+}
+
 // Of a cell of this round, which takes the signatures of their paths and their depth.
 CellCorners LoadCorners(inout Cell cell)
 {
@@ -40,7 +46,7 @@ CellCorners LoadCorners(inout Cell cell)
     [unroll]
     for (uint i = 0; i < 4; i++)
     {
-        uint element = CornerOfCell(cell.Number, uint2(CornerOf(i) > 0.0), _Round) * _MaxBounces;
+        uint element = ElementOf(cell, i);
         uint bounces = BouncesOf(_Corners[element]);
         corners.Elements[i] = element;
         corners.Bounces[i] = bounces;
@@ -59,7 +65,7 @@ CellCorners LoadCorners(inout Cell cell)
 // Signature of the path through a corner up to a bounce, beside those of its cell.
 uint SignatureUpTo(Cell cell, uint corner, uint bounces)
 {
-    uint element = CornerOfCell(cell.Number, uint2(CornerOf(corner) > 0.0), _Round) * _MaxBounces;
+    uint element = ElementOf(cell, corner);
     bounces = min(bounces, BouncesOf(_Corners[element]));
     if (bounces == 0)
         return NO_SIGNATURE;
@@ -67,17 +73,13 @@ uint SignatureUpTo(Cell cell, uint corner, uint bounces)
     return IsKinked(cell) ? FineSignature(hit.Signature, FacetsOf(hit)) : hit.Signature;
 }
 
-// Signatures of the paths of the corners, which tell facets apart too.
-uint4 FineSignatures(CellCorners corners)
+// Signatures of the paths of the corners.
+uint4 SignaturesOf(Cell cell)
 {
-    uint4 signatures = NO_SIGNATURE;
+    uint4 signatures;
     [unroll]
     for (uint i = 0; i < 4; i++)
-        if (corners.Bounces[i] > 0)
-        {
-            Corner corner = _Corners[corners.Elements[i] + corners.Bounces[i] - 1];
-            signatures[i] = FineSignature(corner.Signature, FacetsOf(corner));
-        }
+        signatures[i] = SignatureUpTo(cell, i, _MaxBounces);
     return signatures;
 }
 

@@ -63,8 +63,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     bool isKinked = cell.FirstBounce < common && all(cell.Signatures == cell.Signatures.x);
     if (isKinked)
     {
-        cell.Signatures = FineSignatures(corners);
         cell.Traits |= KINKED_CELL;
+        cell.Signatures = SignaturesOf(cell);
     }
     SetBent(cell, thin > 0.0 || cell.FirstBounce < common && !isKinked ? MISS : max(left.z, atCorners.Bent));
     AddBorder(cell);

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -26,6 +27,9 @@ sealed class Series
 
     /// <summary>NaN when there are none.</summary>
     public double Mean => Count == 0 ? double.NaN : _values.Average();
+
+    /// <summary>NaN when there are none.</summary>
+    public double GeometricMean => Count == 0 ? double.NaN : Math.Exp(_values.Average(Math.Log));
 
     /// <summary>NaN when there are none.</summary>
     public double Lowest => Count == 0 ? double.NaN : _values.Min();

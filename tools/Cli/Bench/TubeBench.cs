@@ -11,7 +11,7 @@ namespace Glint.Cli;
 
 /// <summary>
 /// Measures ray tubes at several tolerances beside uniform rays. Each is compared with the amplitude by clipped tubes
-/// in double precision.
+/// in double precision. The device's clock runs all the time, so that wall times and those of the kernels are of the same poses.
 /// </summary>
 sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int rounds, GpuClock clock, IProgressSink progress)
 {

@@ -22,12 +22,9 @@ sealed class TubeResult
     /// What uniform rays take to the goal for each of what tubes take: geometric mean over the scenes in which they reach it.
     /// NaN if there are none.
     /// </summary>
-    public double RatioAtGoal(Func<TubeRow, double> value)
-    {
-        var scenes = Scenes.Where(scene => scene.FewestUniform != null).ToArray();
-        return scenes.Length == 0 ? double.NaN
-            : Math.Exp(scenes.Average(scene => Math.Log(value(scene.FewestUniform) / value(scene.TubesAtGoal))));
-    }
+    public double RatioAtGoal(Func<TubeRow, double> value) =>
+        new Series(Scenes.Where(scene => scene.FewestUniform != null)
+            .Select(scene => value(scene.FewestUniform) / value(scene.TubesAtGoal))).GeometricMean;
 
     IEnumerable<TubeMean> Means(Func<TubeScene, IReadOnlyList<TubeRow>> rowsOf) =>
         Enumerable.Range(0, rowsOf(Scenes[0]).Count).Select(i =>
@@ -53,5 +50,5 @@ sealed class TubeMean(TubeRow[] rows)
 
     public double LargestError => _errors.Highest;
 
-    double Mean(Func<TubeRow, double> value) => Math.Exp(rows.Average(row => Math.Log(value(row))));
+    double Mean(Func<TubeRow, double> value) => new Series(rows.Select(value)).GeometricMean;
 }

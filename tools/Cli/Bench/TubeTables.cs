@@ -22,11 +22,14 @@ sealed class TubeTables(Terminal terminal)
             $"Ray tubes to {TubeScene.Goal:0 %}, beside the fewest uniform rays that reach it (*: none does; the most traced)");
         foreach (string line in _text.Lines(AtTheGoal(result)))
             yield return line;
-        yield return "";
         double rays = result.RatioAtGoal(row => row.Rays), time = result.RatioAtGoal(row => row.Times.Median),
             kernels = result.RatioAtGoal(row => row.KernelTimes.Median);
+        if (double.IsNaN(rays))
+            yield break;
+        yield return "";
+        string ofKernels = double.IsNaN(kernels) ? "" : Text($", {kernels:0.00} times that of the kernels");
         yield return Text(
-            $"Where uniform rays reach it, they take {rays:0.0} times the rays, {time:0.0} times the time, {kernels:0.0} times that of the kernels (geometric means)");
+            $"Where uniform rays reach it, they take {rays:0.0} times the rays and {time:0.00} times the time{ofKernels} (geometric means)");
     }
 
     Table Means(TubeResult result)
