@@ -8,7 +8,6 @@ struct CellCorners
 {
     uint4 Elements;        // in _Corners
     uint4 Bounces;
-    uint4 First;           // signatures of what they have met first
     bool AreSame;          // all that they have met
     uint Common;           // bounces at which they have met the same
 };
@@ -40,7 +39,6 @@ uint ElementOf(Cell cell, uint corner)
 CellCorners LoadCorners(inout Cell cell)
 {
     CellCorners corners = (CellCorners)0;
-    corners.First = NO_SIGNATURE;
     cell.Signatures = NO_SIGNATURE;
     corners.AreSame = true;
     [unroll]
@@ -51,14 +49,11 @@ CellCorners LoadCorners(inout Cell cell)
         corners.Elements[i] = element;
         corners.Bounces[i] = bounces;
         if (bounces > 0)
-        {
-            corners.First[i] = _Corners[element].Signature;
             cell.Signatures[i] = _Corners[element + bounces - 1].Signature;
-        }
         corners.AreSame = corners.AreSame && cell.Signatures[i] == cell.Signatures[0];
     }
     corners.Common = CommonBounces(corners);
-    cell.Traits = (cell.Traits & CHECKED_CELL) | (any(corners.Bounces > 1) ? DEEP_CELL : 0);
+    cell.Traits = any(corners.Bounces > 1) ? DEEP_CELL : 0;
     return corners;
 }
 

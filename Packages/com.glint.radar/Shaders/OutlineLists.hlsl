@@ -4,7 +4,8 @@
 #include "TubeBlocks.hlsl"
 
 // Thin parts of patches, which pass between the rays through the corners of a cell: the outlines of the patches tell where
-// they are, and rays beside them what is seen there.
+// they are, and rays beside them what is seen there. A part of a cell is looked at again: of a strip whose wide end a corner of
+// the cell has met, no corner of the part may meet the narrow one.
 
 // Of more sides through a cell no list is made.
 static const uint TOO_MANY_RAYS = 0xffffffff;
@@ -27,40 +28,25 @@ bool RunsThrough(Cell cell, uint side)
     return MiddleWithin(cell, a, b) >= 0.0;
 }
 
-// Whether a ray is to look beside a side that runs through a cell. None is needed if one through a corner of the cell has
-// met the patch of the side first, seen by all receivers, unless later bounces are to be looked at.
-bool NeedsRay(Cell cell, uint side, uint4 met)
+// Rays that are to look beside the outlines in a cell, one for each, or TOO_MANY_RAYS. Lists have no order: a part of one
+// would differ from run to run.
+uint CountOutlineRays(Cell cell)
 {
-    TubePath path = (TubePath)0;
-    path.Signature = NO_SIGNATURE;
-    Sign(path, asuint(_Sides[SIDE_ROWS * side].w));
-    Sign(path, (1u << _ReceiverCount) - 1);
-    return !IsChecked(cell) || all(met != path.Signature);
-}
-
-// Rays that are to look beside the outlines in a cell, or TOO_MANY_RAYS. Lists have no order: a part of one would differ from
-// run to run.
-uint CountOutlineRays(Cell cell, uint4 met)
-{
-    uint link = _Marks[OutlineWord(cell.Position >> cell.Level)], listed = 0, through = 0, rays = 0;
+    uint link = _Marks[OutlineWord(cell.Position >> cell.Level)], listed = 0, rays = 0;
     if (link == 0 || !HasAllSides())
         return 0;
     [loop]
     for (; link != 0 && listed < MAX_LISTED; listed++)
     {
         uint4 side = _Links[link - 1];
-        if (RunsThrough(cell, side.x))
-        {
-            through++;
-            rays += NeedsRay(cell, side.x, met) ? 1 : 0;
-        }
+        rays += RunsThrough(cell, side.x) ? 1 : 0;
         link = side.z;
     }
-    return through > MAX_SIDES || listed == MAX_LISTED ? TOO_MANY_RAYS : rays;
+    return rays > MAX_SIDES || listed == MAX_LISTED ? TOO_MANY_RAYS : rays;
 }
 
 // Lists these rays. centre: of the cell in _Centres.
-void ListOutlineRays(Cell cell, uint4 met, uint centre, uint rays)
+void ListOutlineRays(Cell cell, uint centre, uint rays)
 {
     uint ray;
     InterlockedAdd(_Sums[TUBE_OUTLINES], rays, ray);
@@ -68,7 +54,7 @@ void ListOutlineRays(Cell cell, uint4 met, uint centre, uint rays)
     for (uint link = _Marks[OutlineWord(cell.Position >> cell.Level)]; link != 0;)
     {
         uint4 side = _Links[link - 1];
-        if (RunsThrough(cell, side.x) && NeedsRay(cell, side.x, met))
+        if (RunsThrough(cell, side.x))
         {
             if (ray < _ListCapacity.x)
                 _Outlines[ray] = uint2(centre, side.x);

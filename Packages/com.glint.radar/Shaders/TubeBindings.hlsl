@@ -112,7 +112,6 @@ float2 MagnitudesOf(Tube tube)
 static const uint DEEP_CELL = 1;           // bits of Cell.Traits
 static const uint BENT_CELL = 2;
 static const uint KINKED_CELL = 4;
-static const uint CHECKED_CELL = 8;
 
 // A cell of the grid.
 struct Cell
@@ -129,15 +128,8 @@ struct Cell
     uint Whole;           // number in the round before of the cell that it is a part of
     uint Traits;          // DEEP_CELL: a ray through a corner of it, or of the cell that it is a part of, bounces more than
                           // once; BENT_CELL: bent phases make the error of a piece too large; KINKED_CELL: the rays through its
-                          // corners met the same patches, but several facets: its signatures tell facets apart; CHECKED_CELL:
-                          // at each bounce rays beside the outlines in it, or in the cell that it is a part of, met what rays
-                          // through corners met
+                          // corners met the same patches, but several facets: its signatures tell facets apart
 };
-
-bool IsChecked(Cell cell)
-{
-    return (cell.Traits & CHECKED_CELL) != 0;
-}
 
 bool IsDeep(Cell cell)
 {
@@ -218,8 +210,7 @@ StructuredBuffer<uint> _Marks;             // per pose and base cell 1 + first e
                                            // of outlines; then the words of the cover
 StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or number of a side; 1 + next element, or 0
 
-// Sides of triangles on the outlines of patches: ends and third corner of the triangle, relative to the scene's centre, m; w
-// of the first one: bits of the patch.
+// Sides of triangles on the outlines of patches: ends and third corner of the triangle, relative to the scene's centre, m.
 // Each base cell has a list of those that run through it, behind the links of the corners.
 static const uint SIDE_ROWS = 3;
 static const uint MAX_SIDES = 8;           // beside which rays look: long loops end on a software device

@@ -8,6 +8,10 @@
 // Sorts the cells of a round by what their corners see: lists those whose centre is to be traced, and rays beside the
 // outlines of patches in them; divides or lists the others as borders. One thread a cell, which traces no ray.
 
+// How much more strongly than the corners of a cell may answer what lies between them, at the corner of a patch or beside many
+// outlines.
+static const float HIDDEN_STRENGTH = 4.0;
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -17,20 +21,16 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     Cell cell = LoadCell(index);
     if (IsEmpty(cell))
         return;
-    cell.Strength = MISS;
-    cell.Thinned = MISS;
-    if (HasVertex(cell))
-    {
-        SetBent(cell, MISS);
-        AddBorder(cell);
-        return;
-    }
     CellCorners corners = LoadCorners(cell);
     uint rays = 0;
-    if (cell.FirstBounce == 0 && cell.Level < MaxLevel())
-        rays = CountOutlineRays(cell, corners.First);
+    if (HasVertex(cell))
+        rays = TOO_MANY_RAYS;
+    else if (cell.FirstBounce == 0 && cell.Level < MaxLevel())
+        rays = CountOutlineRays(cell);
     if (rays == TOO_MANY_RAYS)
     {
+        float thinned = LeftAt(corners, cell).Thinned;
+        cell.Thinned = thinned > 0.0 ? HIDDEN_STRENGTH * thinned : MISS;
         SetBent(cell, MISS);
         AddBorder(cell);
         return;
@@ -41,12 +41,11 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         _Centres[2 * centre] = index;
         _Centres[2 * centre + 1] = 0;
         if (rays > 0)
-            ListOutlineRays(cell, corners.First, centre, rays);
+            ListOutlineRays(cell, centre, rays);
         return;
     }
     if (corners.AreSame)
         return;
-    cell.Traits |= CHECKED_CELL;
     CurrentsLeft left = LeftAt(corners, cell);
     cell.Strength = left.Strength;
     cell.Thinned = left.Thinned;

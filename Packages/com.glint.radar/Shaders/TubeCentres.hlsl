@@ -56,7 +56,6 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     if (thin == 0.0 && corners.AreSame && cell.FirstBounce >= common)
         return;
-    cell.Traits |= thin == 0.0 ? CHECKED_CELL : 0;
     CurrentsLeft atCorners = LeftAt(corners, cell);
     cell.Strength = max(left.x, atCorners.Strength);
     cell.Thinned = max(left.y, atCorners.Thinned);

@@ -114,7 +114,7 @@ namespace Glint
                 patchCount += (uint)patches.PatchCount;
                 foreach (float3 corner in PatchCorners.Of(patches))
                     vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));
-                AddSides(instance, patches, centre, firsts[i].y, sides);
+                AddSides(instance, patches, centre, sides);
                 for (int triangle = 0; triangle < instance.Mesh.TriangleCount; triangle++)
                     spheres.Add(SphereOf(instance, triangle, centre));
             }
@@ -135,8 +135,7 @@ namespace Glint
         }
 
         // Adds the sides at which triangles of a patch meet none of the same patch.
-        void AddSides(in MeshInstance instance, SurfacePatches patches, double3 centre, uint firstPatch,
-            List<float4> sides)
+        void AddSides(in MeshInstance instance, SurfacePatches patches, double3 centre, List<float4> sides)
         {
             var welded = patches.Welded;
             var toWorld = instance.ToWorld;
@@ -146,9 +145,8 @@ namespace Glint
                 if (welded.EdgeOf[side] == WeldedMesh.None || patches.IsSmooth(side))
                     continue;
                 int end = WeldedMesh.EndOf(side);
-                float patch = math.asfloat(firstPatch + (uint)patches.PatchOf[side / 3]);
                 foreach (int corner in new[] { side, end, WeldedMesh.Opposite(side) })
-                    sides.Add(new float4((float3)(placed[welded.Corners[corner]] - centre), patch));
+                    sides.Add(new float4((float3)(placed[welded.Corners[corner]] - centre), 0));
                 LengthOfSides += math.distance(placed[welded.Corners[side]], placed[welded.Corners[end]]);
             }
         }
