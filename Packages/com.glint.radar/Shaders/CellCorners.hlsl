@@ -84,6 +84,7 @@ struct CurrentsLeft
     float Strength;        // weighted
     float Thinned;         // the same times Thinning
     float Bent;            // Strength times the error by bent phases
+    float Unweighted;      // strength alone
     float2 Missed;         // thinned, not weighted: of all currents, of the cross-polarised ones
 };
 
@@ -99,6 +100,7 @@ CurrentsLeft LeftAt(CellCorners corners, Cell cell)
                 bent = BentPieceError(side * side * f16tof32(corner.Changes >> 16)),
                 strength = corner.Strength * WeightOf(crossPart);
             most.Strength = max(most.Strength, strength);
+            most.Unweighted = max(most.Unweighted, corner.Strength);
             most.Thinned = max(most.Thinned, strength * thinning);
             most.Bent = max(most.Bent, strength * bent);
             most.Missed = max(most.Missed, corner.Strength * thinning * float2(1.0, crossPart));

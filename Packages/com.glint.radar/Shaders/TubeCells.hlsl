@@ -9,7 +9,7 @@
 // outlines of patches in them; divides or lists the others as borders. One thread a cell, which traces no ray.
 
 // How much more strongly than the corners of a cell may answer what lies between them, at the corner of a patch or beside many
-// outlines.
+// outlines: cross-polarised as a whole, and with no phase that runs over the cell.
 static const float HIDDEN_STRENGTH = 4.0;
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -29,8 +29,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         rays = CountOutlineRays(cell);
     if (rays == TOO_MANY_RAYS)
     {
-        float thinned = LeftAt(corners, cell).Thinned;
-        cell.Thinned = thinned > 0.0 ? HIDDEN_STRENGTH * thinned : MISS;
+        float strength = LeftAt(corners, cell).Unweighted;
+        cell.Thinned = strength > 0.0 ? HIDDEN_STRENGTH * _Poses[s_pose].CrossWeight * strength : MISS;
         SetBent(cell, MISS);
         AddBorder(cell);
         return;
