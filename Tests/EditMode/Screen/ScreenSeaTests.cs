@@ -29,6 +29,7 @@ namespace Glint.Tests
         [TestCase(ClutterLevel.Nrl, 2, ScreenPolarisation.Vertical)]
         [TestCase(ClutterLevel.Git, 5, ScreenPolarisation.Horizontal)]
         [TestCase(ClutterLevel.Nathanson, 3, ScreenPolarisation.Horizontal)]
+        [Timeout(600000)]
         public void Clutter_OfAPublishedLevel_HasItsMean(ClutterLevel level, double grazing, ScreenPolarisation polarisation)
         {
             var clutter = SeaClutterSettings.On;
