@@ -129,6 +129,21 @@ namespace Glint.Tests
             Assert.That(parts.SamplingError, Is.EqualTo(whole.SamplingError));
         }
 
+        /// <summary>Full lists halve slices; what their rays have revealed is in the error all the same.</summary>
+        [Test]
+        public void Result_DoesNotDependOnLists()
+        {
+            var pose = Pose(CornerReflector.Turned(28), CornerReflector.View, 1);
+            var whole = _tracer.Trace(pose);
+            using (var tracer = new AmplitudeTracer(TestKernels.Amplitude) { ListCapacity = 1 << 11 })
+            {
+                var halved = tracer.Trace(pose);
+                Assert.That(halved.InPhase, Is.EqualTo(whole.InPhase));
+                Assert.That(halved.Quadrature, Is.EqualTo(whole.Quadrature));
+                Assert.That(halved.SamplingError, Is.EqualTo(whole.SamplingError));
+            }
+        }
+
         [Test]
         public void TrueError_IsAsSaid()
         {

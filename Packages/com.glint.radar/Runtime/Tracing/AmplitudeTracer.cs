@@ -21,7 +21,7 @@ namespace Glint
         /// </summary>
         public const double Floor = 0.1;
 
-        const int ListCapacity = 1 << 18, PointCapacity = 1 << 20;
+        const int PointCapacity = 1 << 20;
 
         // A border is found to 2^-level of a base cell: at first, and at most, where float32 has no more places.
         const int FirstBisectLevel = 10, MaxBisectLevel = 14;
@@ -81,6 +81,9 @@ namespace Glint
 
         /// <summary>Rows of base cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int RowsADispatch { get; set; }
+
+        /// <summary>Tubes, cells of a round and border cells of a dispatch, for tests; before the first pose.</summary>
+        internal int ListCapacity { get; set; } = 1 << 18;
 
         /// <summary>Traces one pose to the tolerance of its settings.</summary>
         /// <param name="progress">Receives the fraction done, 0 to 1, of each attempt.</param>
@@ -209,7 +212,8 @@ namespace Glint
                 _pacer.Took(rows, watch.Elapsed.TotalSeconds);
                 if (TubeSums.HasOverflown(read))
                 {
-                    // A list was full: the slice is traced again in two.
+                    // A list was full: the slice is traced again in two. What it has found across sides stays marked.
+                    sums.AddRevealed(read);
                     if (rows == 1)
                         throw new GlintException($"{_owner}: one row of cells has too many parts at this tolerance: "
                             + "ask for a larger one, or trace a part of the picture");
@@ -249,6 +253,8 @@ namespace Glint
 
             public void Clear() => Revealed = _inPhase = _quadrature = _bentInPhase = _bentQuadrature = _squares = 0;
 
+            public void AddRevealed(uint[] output) => Revealed += output[RevealedCount];
+
             public void Add(uint[] output, string owner)
             {
                 long At(int word) => TubeSums.At(output, word);
@@ -260,7 +266,7 @@ namespace Glint
                 _bentInPhase += At(Bent);
                 _bentQuadrature += At(Bent + 2);
                 _squares += At(Border);
-                Revealed += output[RevealedCount];
+                AddRevealed(output);
                 _rays += TubeSums.RaysOf(output, 0).Sum();
                 _hits += At(Hits);
                 _bounces += At(Bounces);
