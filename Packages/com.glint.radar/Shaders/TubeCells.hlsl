@@ -4,6 +4,7 @@
 #include "CellCorners.hlsl"
 #include "TubeDivisions.hlsl"
 #include "OutlineLists.hlsl"
+#include "RevealedCells.hlsl"
 
 // Sorts the cells of a round by what their corners see: lists those whose centre is to be traced, and rays beside the
 // outlines of patches in them; divides or lists the others as borders. One thread a cell, which traces no ray.
@@ -44,12 +45,13 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             ListOutlineRays(cell, centre, rays);
         return;
     }
-    if (corners.AreSame)
+    bool isRevealed = IsRevealed(cell);
+    if (corners.AreSame && !isRevealed)
         return;
     CurrentsLeft left = LeftAt(corners, cell);
     cell.Strength = left.Strength;
-    cell.Thinned = left.Thinned;
-    SetBent(cell, left.Bent);
+    cell.Thinned = isRevealed ? MISS : left.Thinned;
+    SetBent(cell, isRevealed ? MISS : left.Bent);
     AddBorder(cell);
 }
 

@@ -4,6 +4,7 @@
 #include "Sums.hlsl"
 #include "CellCorners.hlsl"
 #include "TubeDivisions.hlsl"
+#include "RevealedCells.hlsl"
 
 // Sums the cells whose corners see the same, as one tube each bounce, and divides or lists the others as borders. One thread
 // a cell, which follows the ray through its centre.
@@ -54,18 +55,19 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corners.AreSame = corners.AreSame && tube.Path.Bounces >= common;
         AddTo(CountWord(POSE_RAYS), 1);
     }
-    if (thin == 0.0 && corners.AreSame && cell.FirstBounce >= common)
+    bool isRevealed = IsRevealed(cell);
+    if (thin == 0.0 && corners.AreSame && cell.FirstBounce >= common && !isRevealed)
         return;
     CurrentsLeft atCorners = LeftAt(corners, cell);
     cell.Strength = max(left.x, atCorners.Strength);
-    cell.Thinned = max(left.y, atCorners.Thinned);
+    cell.Thinned = isRevealed ? MISS : max(left.y, atCorners.Thinned);
     bool isKinked = cell.FirstBounce < common && all(cell.Signatures == cell.Signatures.x);
     if (isKinked)
     {
         cell.Traits |= KINKED_CELL;
         cell.Signatures = SignaturesOf(cell);
     }
-    SetBent(cell, thin > 0.0 || cell.FirstBounce < common && !isKinked ? MISS : max(left.z, atCorners.Bent));
+    SetBent(cell, isRevealed || thin > 0.0 || cell.FirstBounce < common && !isKinked ? MISS : max(left.z, atCorners.Bent));
     AddBorder(cell);
 }
 

@@ -21,6 +21,8 @@
 #include "TubeCorners.hlsl"
 #elif defined(GLINT_CELLS)
 #include "TubeCells.hlsl"
+#elif defined(GLINT_REVEALS)
+#include "TubeReveals.hlsl"
 #elif defined(GLINT_OUTLINES)
 #include "TubeOutlines.hlsl"
 #elif defined(GLINT_CENTRES)

@@ -131,6 +131,32 @@ void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
 }
 
+RWStructuredBuffer<uint> _WrittenRevealed; // _Revealed
+RWStructuredBuffer<uint> _RevealedByNow;
+StructuredBuffer<uint> _Beginning;         // poses that begin an attempt
+uint2 _RevealedCounts;                     // words of a pose: REVEALED_WORDS; poses to clear, or that begin
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void ClearRevealed(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint word = IndexOf(group, thread);
+    if (word >= _RevealedCounts.x * _RevealedCounts.y)
+        return;
+    _WrittenRevealed[word] = 0;
+    _RevealedByNow[word] = 0;
+}
+
+// Takes what the attempts before have revealed.
+[numthreads(GLINT_GROUP, 1, 1)]
+void TakeRevealed(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint index = IndexOf(group, thread), words = _RevealedCounts.x;
+    if (index >= words * _RevealedCounts.y)
+        return;
+    uint word = _Beginning[index / words] * words + index % words;
+    _WrittenRevealed[word] = _RevealedByNow[word];
+}
+
 // Cells of a list that is filled from both ends.
 uint GroupsOfList(uint count, uint capacity)
 {

@@ -137,6 +137,13 @@ namespace Glint.Tests
             }));
 
         [Test]
+        public void Constants_OfRevealedCells_AreThoseOfCSharp() =>
+            Assert.That(ShaderConstants.Of("RevealedCells.hlsl"), Is.EquivalentTo(new Dictionary<string, double>
+            {
+                ["REVEALED_WORDS"] = TubeKernels.RevealedWords
+            }));
+
+        [Test]
         public void Rows_OfALight_AreThoseOfCSharp()
         {
             var rows = ShaderConstants.Of("SeaLights.hlsl");

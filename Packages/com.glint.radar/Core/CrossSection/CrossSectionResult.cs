@@ -65,13 +65,10 @@ namespace Glint.Core
         public int WedgesLeftOut { get; set; }
 
         /// <summary>
-        /// Error that a cell was allowed in VV and HH, as a fraction of what a conducting plate of a base cell returns: with it
-        /// and that of HV and VH the tracer finds the same tubes again.
+        /// Errors that a cell was allowed in VV and HH, and in HV and VH, in each attempt, as fractions of what a conducting plate
+        /// of a base cell returns: with them the tracer finds the same tubes again.
         /// </summary>
-        public double CellError { get; set; }
-
-        /// <summary>The same in HV and VH.</summary>
-        public double CrossCellError { get; set; }
+        public IReadOnlyList<(double CellError, double CrossCellError)> Attempts { get; set; }
 
         /// <summary>Adds the diffuse echo of seas at each sample, which returns to the only receiver.</summary>
         /// <param name="clutter">Null: none.</param>

@@ -224,12 +224,17 @@ namespace Glint
             var sums = new PartSums(_surfaces.Parts, TubeSums.OutputSize(pose, 1), job.Edges, receiver, frequency);
             _tubes.SumParts(job, _scene, _surfaces, sums, receiver, frequency);
             TraceEdges(new[] { job }, sums.Add, cancel);
-            job.Begin(result.CellError, result.CrossCellError);
-            while (job.Left > 0)
+            // Attempts before the last one reveal which cells it divides.
+            int attempts = result.Attempts.Count;
+            for (int attempt = 0; attempt < attempts; attempt++)
             {
-                cancel.ThrowIfCancellationRequested();
-                _tubes.TraceSlice(new[] { job }, sums.Add);
-                progress?.Report(job.Fraction);
+                job.Begin(result.Attempts[attempt].CellError, result.Attempts[attempt].CrossCellError);
+                while (job.Left > 0)
+                {
+                    cancel.ThrowIfCancellationRequested();
+                    _tubes.TraceSlice(new[] { job }, attempt == attempts - 1 ? sums.Add : (Action<uint[]>)(_ => { }));
+                    progress?.Report((attempt + job.Fraction) / attempts);
+                }
             }
             return sums.ToContributions(polarisations);
         }

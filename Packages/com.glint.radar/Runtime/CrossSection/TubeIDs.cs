@@ -64,6 +64,11 @@ namespace Glint
         public static readonly int _TubeParts = Shader.PropertyToID("_TubeParts");
         public static readonly int _HasParts = Shader.PropertyToID("_HasParts");
         public static readonly int _Parts = Shader.PropertyToID("_Parts");
+        public static readonly int _Revealed = Shader.PropertyToID("_Revealed");
+        public static readonly int _WrittenRevealed = Shader.PropertyToID("_WrittenRevealed");
+        public static readonly int _RevealedByNow = Shader.PropertyToID("_RevealedByNow");
+        public static readonly int _RevealedCounts = Shader.PropertyToID("_RevealedCounts");
+        public static readonly int _Beginning = Shader.PropertyToID("_Beginning");
         public static readonly int _BisectSteps = Shader.PropertyToID("_BisectSteps");
     }
 }

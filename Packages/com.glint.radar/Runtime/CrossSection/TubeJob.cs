@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Glint.Core;
 
 namespace Glint
@@ -7,7 +8,9 @@ namespace Glint
     sealed class TubeJob
     {
         readonly SliceForecast _slices = new SliceForecast();
+        readonly List<(double CellError, double CrossCellError)> _attempts = new List<(double, double)>();
         long _raysBefore;
+        bool _hasRevealed;                 // taken in the attempt
 
         public TubeJob(CrossSectionPose pose, TubeGrid grid)
         {
@@ -60,8 +63,14 @@ namespace Glint
             (CellError, CrossCellError) = (cellError, Math.Min(cellError, crossCellError));
             Sums = new TubeSums(Pose, Grid);
             Next = 0;
+            _hasRevealed = false;
             _slices.Begin(Math.Sqrt(CellError * CrossCellError));
         }
+
+        /// <summary>
+        /// Takes what the attempts before have revealed: true once an attempt, although a slice may be traced again.
+        /// </summary>
+        public bool TakesRevealed() => !_hasRevealed && (_hasRevealed = true);
 
         /// <summary>Tells the kernels how finely cells are divided and borders found.</summary>
         public void SetAccuracy(ref TubePose pose)
@@ -119,7 +128,8 @@ namespace Glint
         {
             Sums.Add(Edges);
             Result = Sums.ToResult();
-            (Result.CellError, Result.CrossCellError) = (CellError, CrossCellError);
+            _attempts.Add((CellError, CrossCellError));
+            Result.Attempts = _attempts.ToArray();
             _raysBefore += Result.Rays;
             Result.Rays = _raysBefore + Edges.Rays;
             return Result;

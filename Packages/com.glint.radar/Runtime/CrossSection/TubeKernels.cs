@@ -40,6 +40,9 @@ namespace Glint
         /// <summary>Rows of a tube in _TubeExtras at a finite range: TUBE_EXTRAS.</summary>
         public const int TubeExtras = 5;
 
+        /// <summary>Words of the revealed cells of a pose: REVEALED_WORDS.</summary>
+        public const int RevealedWords = 65536;
+
         /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
         public const int CoverSide = 8;
 
@@ -50,7 +53,8 @@ namespace Glint
         readonly DeviceBuffer<float4> _receivers = new DeviceBuffer<float4>("receivers");
         TubePose[] _slices;
         readonly DeviceBuffer<float4> _blocks = new DeviceBuffer<float4>("blocks of frequencies");
-        readonly int _clearMarks, _mark, _outlines, _cover, _cells, _fringes, _points, _parts, _bands;
+        readonly DeviceBuffer<uint> _beginning = new DeviceBuffer<uint>("poses that begin");
+        readonly int _clearMarks, _mark, _outlines, _cover, _clearRevealed, _takeRevealed, _cells, _fringes, _points, _parts, _bands;
         bool _hasBands;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
@@ -63,6 +67,8 @@ namespace Glint
             _mark = shader.FindKernel("MarkVertices");
             _outlines = shader.FindKernel("MarkOutlines");
             _cover = shader.FindKernel("MarkCover");
+            _clearRevealed = shader.FindKernel("ClearRevealed");
+            _takeRevealed = shader.FindKernel("TakeRevealed");
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
             _points = shader.FindKernel("TubePoints");
@@ -239,6 +245,33 @@ namespace Glint
             _shader.DispatchThreads(_cover, (long)poses * surfaces.SphereCount);
         }
 
+        /// <summary>Sets the cells that earlier attempts have revealed, and those with this attempt.</summary>
+        public void SetRevealed(DeviceBuffer<uint> revealed, DeviceBuffer<uint> byNow)
+        {
+            foreach (int kernel in new[] { _cells, _rays.Centres })
+                _shader.SetBuffer(kernel, TubeIDs._Revealed, revealed.Buffer);
+            foreach (int kernel in new[] { _clearRevealed, _takeRevealed })
+                _shader.SetBuffer(kernel, TubeIDs._WrittenRevealed, revealed.Buffer);
+            foreach (int kernel in new[] { _rays.Reveals, _clearRevealed, _takeRevealed })
+                _shader.SetBuffer(kernel, TubeIDs._RevealedByNow, byNow.Buffer);
+        }
+
+        /// <summary>No cell of any pose is revealed.</summary>
+        public void ClearRevealed(int poses)
+        {
+            _shader.SetInts(TubeIDs._RevealedCounts, RevealedWords, poses);
+            _shader.DispatchThreads(_clearRevealed, (long)RevealedWords * poses);
+        }
+
+        /// <summary>Takes what was revealed of poses that begin an attempt.</summary>
+        public void TakeRevealed(IReadOnlyList<uint> poses)
+        {
+            _beginning.Upload(poses.ToArray());
+            _shader.SetBuffer(_takeRevealed, TubeIDs._Beginning, _beginning.Buffer);
+            _shader.SetInts(TubeIDs._RevealedCounts, RevealedWords, poses.Count);
+            _shader.DispatchThreads(_takeRevealed, (long)RevealedWords * poses.Count);
+        }
+
         /// <inheritdoc cref="TubeRounds.Clear"/>
         public void Clear(int count) => _rounds.Clear(count);
 
@@ -307,6 +340,7 @@ namespace Glint
             _poses.Dispose();
             _receivers.Dispose();
             _blocks.Dispose();
+            _beginning.Dispose();
         }
     }
 }

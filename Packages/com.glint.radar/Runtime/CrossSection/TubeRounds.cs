@@ -34,6 +34,9 @@ namespace Glint
             /// <summary>Before: those through the corners of cells.</summary>
             public readonly int Corners;
 
+            /// <summary>Then that of sides of divided cells, which traces none.</summary>
+            public readonly int Reveals;
+
             /// <summary>After: groups for those that the kernel of the cells has listed.</summary>
             public readonly int Prepare;
 
@@ -48,6 +51,7 @@ namespace Glint
             public RayKernels(ComputeShader shader)
             {
                 Corners = shader.FindKernel("TubeCorners");
+                Reveals = shader.FindKernel("TubeReveals");
                 Prepare = shader.FindKernel("PrepareRays");
                 Outlines = shader.FindKernel("TubeOutlines");
                 Centres = shader.FindKernel("TubeCentres");
@@ -72,7 +76,10 @@ namespace Glint
             _summing = _sums;
             Kernels = new[] { _cells, _bisect, _borders };
             if (rays != null)
-                Kernels = Kernels.Concat(new[] { rays.Corners, rays.Outlines, rays.Centres, rays.Wholes, rays.Changes }).ToArray();
+                Kernels = Kernels.Concat(new[]
+                {
+                    rays.Corners, rays.Reveals, rays.Outlines, rays.Centres, rays.Wholes, rays.Changes
+                }).ToArray();
         }
 
         /// <summary>Whether currents change along tubes: at a finite range.</summary>
@@ -130,7 +137,11 @@ namespace Glint
             {
                 SetRound(round);
                 if (_rays != null)
+                {
                     Dispatch(_rays.Corners, round, corners, CornerArguments);
+                    if (round > 0)
+                        _shader.DispatchIndirect(_rays.Reveals, _arguments, CellArguments);
+                }
                 Dispatch(_cells, round, count, CellArguments);
                 if (_rays != null)
                 {
