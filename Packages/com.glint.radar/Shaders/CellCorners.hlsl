@@ -35,11 +35,19 @@ uint ElementOf(Cell cell, uint corner)
     return CornerOfCell(cell.Number, uint2(CornerOf(corner) > 0.0), _Round) * _MaxBounces;
 }
 
+// Signature of the path through a corner up to one of its bounces. element: its first.
+uint SignatureOf(uint element, uint bounces)
+{
+    uint signature = NO_SIGNATURE;
+    if (bounces > 0)
+        signature = _Corners[element + bounces - 1].Signature;
+    return signature;
+}
+
 // Of a cell of this round, which takes the signatures of their paths and their depth.
 CellCorners LoadCorners(inout Cell cell)
 {
     CellCorners corners = (CellCorners)0;
-    cell.Signatures = NO_SIGNATURE;
     corners.AreSame = true;
     [unroll]
     for (uint i = 0; i < 4; i++)
@@ -48,8 +56,7 @@ CellCorners LoadCorners(inout Cell cell)
         uint bounces = BouncesOf(_Corners[element]);
         corners.Elements[i] = element;
         corners.Bounces[i] = bounces;
-        if (bounces > 0)
-            cell.Signatures[i] = _Corners[element + bounces - 1].Signature;
+        cell.Signatures[i] = SignatureOf(element, bounces);
         corners.AreSame = corners.AreSame && cell.Signatures[i] == cell.Signatures[0];
     }
     corners.Common = CommonBounces(corners);

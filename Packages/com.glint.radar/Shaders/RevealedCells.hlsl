@@ -7,8 +7,6 @@
 // an edge, second bounces fill fingers of the grid that are narrower than a cell. A bit of each level and position, by a hash:
 // cells that share one are divided without need.
 
-static const uint REVEALED_WORDS = 65536;  // of a pose
-
 StructuredBuffer<uint> _Revealed;          // by earlier attempts of a pose: those of its next attempt are divided
 
 uint RevealedBit(uint2 position, uint level)

@@ -48,6 +48,8 @@ static const uint TUBES_A_GROUP = 256;      // of the kernel that sums
 static const uint BAND_FREQUENCIES = 64;   // of a block of frequencies that are summed together, at most
 static const uint BAND_ROWS = 3;           // of a block in _Bands
 
+static const uint REVEALED_WORDS = 65536;  // of the bits of a pose (RevealedCells.hlsl)
+
 // Byte offsets of the indirect dispatches in _Arguments.
 static const uint BORDER_ARGUMENTS = 0;
 static const uint CELL_ARGUMENTS = 12;

@@ -67,6 +67,12 @@ Cell LoadCell(uint index)
     return cell;
 }
 
+// Number of a corner of a cell that was divided. at: 0 to 2 along u and v.
+uint CornerOfBlock(uint block, uint2 at)
+{
+    return BLOCK_CORNERS * block + at.x + 3 * at.y;
+}
+
 // Number of a corner of a cell of a round. at: 0 or 1 along u and v.
 uint CornerOfCell(uint index, uint2 at, uint round)
 {
@@ -78,7 +84,7 @@ uint CornerOfCell(uint index, uint2 at, uint round)
         return _Poses[s_pose].FirstCorner + at.x + at.y * (slice.z + 1);
     }
     at += uint2(index & 1, index >> 1 & 1);
-    return index / BLOCK_CELLS * BLOCK_CORNERS + at.x + 3 * at.y;
+    return CornerOfBlock(index / BLOCK_CELLS, at);
 }
 
 // Whether a corner of a patch is seen in the cell or within half its side: between rays it may reach into it.

@@ -66,7 +66,7 @@ CornerPosition PositionOf(uint index)
     place = place == 5 ? 4 : place == 7 ? 5 : place == 9 ? 7 : place;
     uint2 inWhole = uint2(known & 1, known >> 1 & 1), at = isNew ? uint2(place % 3, place / 3) : 2 * inWhole;
     Cell cell = LoadCell(BLOCK_CELLS * block);
-    position.Number = BLOCK_CORNERS * block + at.x + 3 * at.y;
+    position.Number = CornerOfBlock(block, at);
     position.OnGrid = SideOfCell(cell) * (cell.Position + at);
     if (!isNew)
         position.Known = CornerOfCell(cell.Whole, inWhole, _Round - 1);

@@ -27,14 +27,13 @@ float StrengthBeyond(uint corner, uint other)
 // Signature of the whole path of the ray through a corner.
 uint LastSignature(uint corner)
 {
-    uint bounces = BouncesOf(_Corners[corner]);
-    return bounces > 0 ? _Corners[corner + bounces - 1].Signature : NO_SIGNATURE;
+    return SignatureOf(corner, BouncesOf(_Corners[corner]));
 }
 
-// First element of a corner of the cell that was divided. at: 0 to 2 along u and v.
+// First element of a corner of a cell that was divided.
 uint ElementOfBlock(uint block, int2 at)
 {
-    return (block * BLOCK_CORNERS + at.x + 3 * at.y) * _MaxBounces;
+    return CornerOfBlock(block, (uint2)at) * _MaxBounces;
 }
 
 // Tells the cell at a position of a level, and the larger cells about it that are not about the one at its side.

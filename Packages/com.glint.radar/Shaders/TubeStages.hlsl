@@ -134,26 +134,24 @@ void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 RWStructuredBuffer<uint> _WrittenRevealed; // _Revealed
 RWStructuredBuffer<uint> _RevealedByNow;
 StructuredBuffer<uint> _Beginning;         // poses that begin an attempt
-uint2 _RevealedCounts;                     // words of a pose: REVEALED_WORDS; poses to clear, or that begin
+uint _BeginningCount;
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void ClearRevealed(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint word = IndexOf(group, thread);
-    if (word >= _RevealedCounts.x * _RevealedCounts.y)
-        return;
-    _WrittenRevealed[word] = 0;
-    _RevealedByNow[word] = 0;
+    if (word < _PoseCount * REVEALED_WORDS)
+        _RevealedByNow[word] = 0;
 }
 
 // Takes what the attempts before have revealed.
 [numthreads(GLINT_GROUP, 1, 1)]
 void TakeRevealed(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = IndexOf(group, thread), words = _RevealedCounts.x;
-    if (index >= words * _RevealedCounts.y)
+    uint index = IndexOf(group, thread);
+    if (index >= _BeginningCount * REVEALED_WORDS)
         return;
-    uint word = _Beginning[index / words] * words + index % words;
+    uint word = _Beginning[index / REVEALED_WORDS] * REVEALED_WORDS + index % REVEALED_WORDS;
     _WrittenRevealed[word] = _RevealedByNow[word];
 }
 

@@ -103,7 +103,7 @@ namespace Glint.Tests
                     ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers,
                     ["BAND_FREQUENCIES"] = TubeBands.MaxFrequencies, ["BAND_ROWS"] = TubeBands.Rows,
                     ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
-                    ["COVER_SIDE"] = TubeKernels.CoverSide,
+                    ["COVER_SIDE"] = TubeKernels.CoverSide, ["REVEALED_WORDS"] = TubeKernels.RevealedWords,
                     ["PART_WORDS"] = TubeKernels.PartWords, ["TUBE_REVEALED"] = AmplitudeTracer.RevealedCount,
                     ["TUBE_HITS"] = AmplitudeTracer.Hits, ["TUBE_BOUNCES"] = AmplitudeTracer.Bounces,
                     ["TUBE_RECEIVED"] = AmplitudeTracer.Received, ["TUBE_LENGTHS"] = AmplitudeTracer.Lengths,
@@ -134,13 +134,6 @@ namespace Glint.Tests
                 // Of hashes: neither is a time of speckle.
                 ["SEA_CHOICE"] = ShaderConstants.Of("Speckle.hlsl")["NO_TIME"] + 1,
                 ["GRAVITY"] = SeaSpectrum.Gravity, ["TENSION"] = ClutterMotion.Tension
-            }));
-
-        [Test]
-        public void Constants_OfRevealedCells_AreThoseOfCSharp() =>
-            Assert.That(ShaderConstants.Of("RevealedCells.hlsl"), Is.EquivalentTo(new Dictionary<string, double>
-            {
-                ["REVEALED_WORDS"] = TubeKernels.RevealedWords
             }));
 
         [Test]

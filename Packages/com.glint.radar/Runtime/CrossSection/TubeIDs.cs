@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl, TubeFringes.hlsl, TubePoints.hlsl and TubeSums.hlsl.
+    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl, RevealedCells.hlsl, TubeFringes.hlsl, TubePoints.hlsl and TubeSums.hlsl.
     static class TubeIDs
     {
         public static readonly int _Facets = Shader.PropertyToID("_Facets");
@@ -67,7 +67,7 @@ namespace Glint
         public static readonly int _Revealed = Shader.PropertyToID("_Revealed");
         public static readonly int _WrittenRevealed = Shader.PropertyToID("_WrittenRevealed");
         public static readonly int _RevealedByNow = Shader.PropertyToID("_RevealedByNow");
-        public static readonly int _RevealedCounts = Shader.PropertyToID("_RevealedCounts");
+        public static readonly int _BeginningCount = Shader.PropertyToID("_BeginningCount");
         public static readonly int _Beginning = Shader.PropertyToID("_Beginning");
         public static readonly int _BisectSteps = Shader.PropertyToID("_BisectSteps");
     }

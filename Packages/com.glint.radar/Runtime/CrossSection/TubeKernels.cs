@@ -250,25 +250,20 @@ namespace Glint
         {
             foreach (int kernel in new[] { _cells, _rays.Centres })
                 _shader.SetBuffer(kernel, TubeIDs._Revealed, revealed.Buffer);
-            foreach (int kernel in new[] { _clearRevealed, _takeRevealed })
-                _shader.SetBuffer(kernel, TubeIDs._WrittenRevealed, revealed.Buffer);
+            _shader.SetBuffer(_takeRevealed, TubeIDs._WrittenRevealed, revealed.Buffer);
             foreach (int kernel in new[] { _rays.Reveals, _clearRevealed, _takeRevealed })
                 _shader.SetBuffer(kernel, TubeIDs._RevealedByNow, byNow.Buffer);
         }
 
-        /// <summary>No cell of any pose is revealed.</summary>
-        public void ClearRevealed(int poses)
-        {
-            _shader.SetInts(TubeIDs._RevealedCounts, RevealedWords, poses);
-            _shader.DispatchThreads(_clearRevealed, (long)RevealedWords * poses);
-        }
+        /// <summary>Nothing is revealed by now of any pose.</summary>
+        public void ClearRevealed(int poses) => _shader.DispatchThreads(_clearRevealed, (long)RevealedWords * poses);
 
         /// <summary>Takes what was revealed of poses that begin an attempt.</summary>
         public void TakeRevealed(IReadOnlyList<uint> poses)
         {
             _beginning.Upload(poses.ToArray());
             _shader.SetBuffer(_takeRevealed, TubeIDs._Beginning, _beginning.Buffer);
-            _shader.SetInts(TubeIDs._RevealedCounts, RevealedWords, poses.Count);
+            _shader.SetInt(TubeIDs._BeginningCount, poses.Count);
             _shader.DispatchThreads(_takeRevealed, (long)RevealedWords * poses.Count);
         }
 
