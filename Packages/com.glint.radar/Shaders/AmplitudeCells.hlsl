@@ -13,20 +13,20 @@ static const uint OUTLINE_LEVEL = 1;
 // Part by which the landings of the corners may be exceeded between them.
 static const float LANDING_MARGIN = 0.25, SAME_LANDING_MARGIN = 0.05;
 
-bool LoadCell(uint index, out Cell cell)
+// A cell of the round, whose pose becomes that of the thread. Signatures are the points of its corners.
+Cell LoadCell(uint index)
 {
-    cell = (Cell)0;
-    if (_Round > 0)
+    Cell cell;
+    if (_Round == 0)
     {
-        if (index >= CountOfList(TUBE_CELLS, _ListCapacity.y))
-            return false;
-        cell = _TubeCells[index];
-        return true;
+        cell = LoadBaseCell(index);
+        cell.Signatures = uint4(CornerOfBaseCell(index, uint2(0, 0)), CornerOfBaseCell(index, uint2(1, 0)),
+            CornerOfBaseCell(index, uint2(1, 1)), CornerOfBaseCell(index, uint2(0, 1)));
     }
-    uint column = index % _Grid.x, row = index / _Grid.x, first = column + row * (_Grid.x + 1);
-    cell.Position = uint2(column, _Grid.y / _Grid.x + row);
-    cell.Signatures = uint4(first, first + 1, first + _Grid.x + 2, first + _Grid.x + 1);
-    return index < _Grid.z;
+    else
+        cell = _TubeCells[index];
+    EnterPose(cell.Pose, index);
+    return cell;
 }
 
 // Whether a cell of which no corner is received may hide a part that is. Corners on the same planes tell where the others
@@ -76,28 +76,48 @@ bool IsRevealed(Cell cell)
         return false;
     uint parts = REVEALED_PARTS >> cell.Level;
     uint2 base = cell.Position >> cell.Level, first = (cell.Position - (base << cell.Level)) * parts;
-    uint word = REVEALED_PARTS * (base.x + base.y * _Grid.x), row = (0xffffffff >> (32 - parts)) << first.x, bits = 0;
+    uint word = FirstRevealed(base), row = (0xffffffff >> (32 - parts)) << first.x, bits = 0;
     for (uint y = first.y; y < first.y + parts; y++)
         bits |= _Revealed[word + y] & row;
     return bits != 0;
 }
 
+// Whether something is received through the new points of a cell that was divided of which no corner is. cell: the first one of
+// its parts.
+bool IsFoundAmongNothing(Cell cell, uint block)
+{
+    uint corners = 0, points = 0;
+    for (uint corner = 0; corner < BLOCK_CELLS; corner++)
+        corners |= SignatureOfCorner(block, corner);
+    for (uint i = 0; i < NEW_CORNERS; i++)
+        points |= _Points[(FirstNewPoint(cell) + i) * _PointWords];
+    return corners == 0 && points != 0;
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    Cell cell;
-    if (!LoadCell(IndexOf(group, thread), cell))
+    uint index = IndexOf(group, thread);
+    if (index >= CellCount())
         return;
+    Cell cell = LoadCell(index);
     // A ray is a phasor of one.
     cell.Strength = 1.0;
     float side = SideOfCell(cell);
+    // What the last level finds in cells of which no corner is received, the next would find again, in parts as large.
+    if (_Round > 0 && index % BLOCK_CELLS == 0 && cell.Level == _AmplitudePoses[s_pose].EmptyLevel
+        && IsFoundAmongNothing(cell, index / BLOCK_CELLS))
+    {
+        float error = CRUDE_ERROR * side * side;
+        AddUnsigned(SumWord(SUM_ERROR), (uint)(_UnitsPerSquareMetre * error * error));
+    }
     uint signature = _Points[cell.Signatures.x * _PointWords];
     bool isSame = true;
     for (uint i = 1; i < 4; i++)
         isSame = isSame && _Points[cell.Signatures[i] * _PointWords] == signature;
     if (isSame && signature == 0)
     {
-        if (cell.Level >= _EmptyLevel || !MayReceive(cell.Signatures, side, cell.Level) && !IsRevealed(cell))
+        if (cell.Level >= _AmplitudePoses[s_pose].EmptyLevel || !MayReceive(cell.Signatures, side, cell.Level) && !IsRevealed(cell))
             return;
         cell.Strength = MISS;
     }
@@ -106,7 +126,7 @@ void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     else if (isSame)
     {
         Return ray = Follow(CentreOfCell(cell), NO_POINT);
-        AddTo(CountWord(POSE_RAYS), 1);
+        AddRays(1);
         float3 bends = BendsOf(ray, side);
         float size = _WaveNumber * (abs(bends.x) + abs(bends.y) + abs(bends.z)), error = BentError(size);
         bool isTube = ray.Signature == signature && (error * side * side <= CellError() || cell.Level >= MaxLevel());

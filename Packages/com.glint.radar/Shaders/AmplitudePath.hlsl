@@ -2,6 +2,8 @@
 #define GLINT_AMPLITUDE_PATH
 
 #include "TubeShapes.hlsl"
+#include "TubeSlices.hlsl"
+#include "AmplitudePose.hlsl"
 #include "Mirror.hlsl"
 #include "Identity.hlsl"
 #include "Sums.hlsl"
@@ -11,12 +13,7 @@
 // of its position in the picture as long as it meets the same planes.
 
 // Input.
-uint4 _Grid;                               // base cells across; first and number of this dispatch, whole rows
-float4 _PictureStart;                      // xy: lower left corner of the grid, in rays from _ReferencePixel
-float4 _PictureStep;                       // xy: rays a base cell
-float4 _Aside;                             // xyz: _Direction less the view axis; w: 1 for parallel rays
-float _ReceiverDepth;                      // distance from the receiver's plane to the scene's centre, m
-uint _EmptyLevel;                          // cells at it of which no corner is received are not divided
+StructuredBuffer<AmplitudePose> _AmplitudePoses;
 uint _PointWords;                          // words of a point of _Points
 uint _PointCapacity;
 
@@ -25,12 +22,11 @@ uint _PointCapacity;
 RWStructuredBuffer<uint> _Points;
 
 // Parts of base cells on whose sides a neighbour has found what the ends of the side do not show, REVEALED_PARTS x
-// REVEALED_PARTS a cell, a word a row: in earlier attempts, and in all with this one.
+// REVEALED_PARTS a cell, a word a row, _RevealedWords a pose: in earlier attempts, and in all with this one.
 static const uint REVEALED_LEVEL = 5;
 static const uint REVEALED_PARTS = 32;
 StructuredBuffer<uint> _Revealed;
 RWStructuredBuffer<uint> _RevealedByNow;
-uint _RevealedWords;
 
 static const uint POINT_LANDINGS = 2;      // first word of the landings, two words each
 static const uint NO_POINT = 0xffffffff;
@@ -46,14 +42,44 @@ struct Landing
     float Motion;          // of the position by a base cell on the same planes
 };
 
-// What a ray gives.
+// GLINT_RETURN: what a ray gives (Runtime/Tracing/BorderRay.cs).
 struct Return
 {
     uint Signature;        // of the planes met; 0: not received
-    float Length;          // of the path, less _OriginDepth and _ReceiverDepth, m
+    float Length;          // of the path, less TubePose.OriginDepth and the receiver's depth, m
     float2 Gradient;       // of the length, m a base cell
     float3 Bend;           // its second derivatives: by u, by v, by both
+    float BendError;       // of a border cell: area by which the piece may be off, since its phase is bent
 };
+
+static uint s_copy = 0;                    // of the counts to which this thread adds
+
+// Makes a pose that of the thread. index: of what the thread does.
+void EnterPose(uint pose, uint index)
+{
+    s_pose = pose;
+    s_copy = index % AMPLITUDE_COPIES;
+    s_firstInstance = _AmplitudePoses[pose].FirstInstance;
+    s_firstRow = _AmplitudePoses[pose].FirstRow;
+}
+
+// Word of a sum of this thread's pose.
+uint SumWord(uint sum)
+{
+    return TUBE_SUMS + s_pose * TUBE_SUM_WORDS + sum;
+}
+
+// The same of a count of an amplitude.
+uint AmplitudeWord(uint count)
+{
+    return TUBE_SUMS + _PoseCount * TUBE_SUM_WORDS + (s_copy * _PoseCount + s_pose) * AMPLITUDE_WORDS + count;
+}
+
+// First word of the parts of a base cell.
+uint FirstRevealed(uint2 cell)
+{
+    return s_pose * _RevealedWords + REVEALED_PARTS * (cell.x + cell.y * _Poses[s_pose].Cells.x);
+}
 
 uint Mixed(uint hash, uint value)
 {
@@ -64,15 +90,16 @@ uint Mixed(uint hash, uint value)
 // Stereographic, so that rays that go away from the receiver are far from it.
 Landing LandingOf(Path path, float3 stepU, float3 stepV, float pathLength)
 {
-    float3 way = _ReceiverCentre.xyz - path.Ray.Origin, d = path.Ray.Direction;
+    float4 axis = _AmplitudePoses[s_pose].ReceiverRight;
+    float3 way = _AmplitudePoses[s_pose].ReceiverCentre.xyz - path.Ray.Origin, d = path.Ray.Direction;
     float distance = max(length(way), 1.0e-6);
     way /= distance;
-    float3 right = normalize(_ReceiverRight.xyz - way * dot(way, _ReceiverRight.xyz)), up = cross(way, right);
-    float2 halfSize = float2(_ReceiverHalfSize.x, _ReceiverHalfSize.z) / distance;
+    float3 right = normalize(axis.xyz - way * dot(way, axis.xyz)), up = cross(way, right);
+    float2 halfSize = float2(axis.w, _AmplitudePoses[s_pose].ReceiverUp.w) / distance;
     float towards = max(1.0 + dot(d, way), 1.0e-6);
     Landing landing;
     landing.Position = clamp(2.0 * float2(dot(d, right), dot(d, up)) / (towards * halfSize), -MAX_LANDING, MAX_LANDING);
-    float2 motion = float2(length(stepU), length(stepV)) * (_Aside.w != 0.0 ? 1.0 : pathLength + distance);
+    float2 motion = float2(length(stepU), length(stepV)) * (_AmplitudePoses[s_pose].Aside.w != 0.0 ? 1.0 : pathLength + distance);
     landing.Motion = (motion.x + motion.y) / (distance * min(halfSize.x, halfSize.y));
     return landing;
 }
@@ -80,11 +107,12 @@ Landing LandingOf(Path path, float3 stepU, float3 stepV, float pathLength)
 // Distance along a ray to the receiver's rectangle, which it crosses against its axis; MISS if it does not.
 float ToReceiver(float3 origin, float3 direction)
 {
-    float3 forward = _ReceiverForward.xyz;
-    float distance = ToPlane(origin, direction, _ReceiverCentre.xyz, forward);
-    float3 position = origin + distance * direction - _ReceiverCentre.xyz;
-    bool isWithin = abs(dot(position, _ReceiverRight.xyz)) <= _ReceiverHalfSize.x
-        && abs(dot(position, _ReceiverUp.xyz)) <= _ReceiverHalfSize.z;
+    AmplitudePose pose = _AmplitudePoses[s_pose];
+    float3 forward = pose.ReceiverForward.xyz, centre = pose.ReceiverCentre.xyz;
+    float distance = ToPlane(origin, direction, centre, forward);
+    float3 position = origin + distance * direction - centre;
+    bool isWithin = abs(dot(position, pose.ReceiverRight.xyz)) <= pose.ReceiverRight.w
+        && abs(dot(position, pose.ReceiverUp.xyz)) <= pose.ReceiverUp.w;
     return dot(direction, forward) < 0.0 && distance > 0.0 && isWithin ? distance : MISS;
 }
 
@@ -92,21 +120,22 @@ float ToReceiver(float3 origin, float3 direction)
 // plane: the length is h |D| / (D.n), with D linear in the position.
 Return ReturnOf(Path path, float3 stepU, float3 stepV, float distance, uint signature)
 {
-    float3 d = path.Ray.Direction, forward = _ReceiverForward.xyz;
-    float c = -dot(d, forward), toPlane = _ReceiverDepth + dot(path.Ray.Origin, forward);
+    float4 receiver = _AmplitudePoses[s_pose].ReceiverForward;
+    float3 d = path.Ray.Direction, forward = receiver.xyz;
+    float c = -dot(d, forward), toPlane = receiver.w + dot(path.Ray.Origin, forward);
     float2 b = -float2(dot(stepU, forward), dot(stepV, forward)) / c;
     Return result;
     result.Signature = signature;
-    // The distance less _ReceiverDepth, without the rounding of large numbers.
+    // The distance less the receiver's depth, without the rounding of large numbers.
     float3 across = d + forward;
     result.Length = path.RelativeLength + (dot(path.Ray.Origin, forward) + toPlane * dot(across, across) / (2.0 * c));
-    if (_Aside.w != 0.0)
+    if (_AmplitudePoses[s_pose].Aside.w != 0.0)
     {
         result.Gradient = -b;
         result.Bend = 0.0;
         return result;
     }
-    float whole = _OriginDepth.x + path.RelativeLength + distance;
+    float whole = _Poses[s_pose].OriginDepth + path.RelativeLength + distance;
     float2 a = float2(dot(stepU, d), dot(stepV, d));
     result.Gradient = whole * (a - b);
     result.Bend = whole * float3(
@@ -116,29 +145,50 @@ Return ReturnOf(Path path, float3 stepU, float3 stepV, float distance, uint sign
     return result;
 }
 
-void AddRay(Path path, bool isReceived)
+// Of the rays that this thread has followed.
+static uint s_hits = 0, s_bounces = 0, s_received = 0;
+static uint2 s_lengths = 0;
+
+void CountRay(Path path, bool isReceived)
 {
     if (path.Bounces == 0)
         return;
-    AddUnsigned(TUBE_HITS, 1);
-    AddUnsigned(TUBE_BOUNCES, path.Bounces);
-    AddUnsigned(TUBE_LENGTHS, (uint)(TUBE_LENGTH_UNITS * path.RelativeLength + 0.5));
-    if (isReceived)
-        AddUnsigned(TUBE_RECEIVED, 1);
+    uint units = (uint)(AMPLITUDE_LENGTH_UNITS * path.RelativeLength + 0.5);
+    s_hits++;
+    s_bounces += path.Bounces;
+    s_received += isReceived ? 1 : 0;
+    s_lengths.x += units;
+    s_lengths.y += s_lengths.x < units ? 1 : 0;
+}
+
+// Adds the rays that this thread has followed.
+void AddRays(uint rays)
+{
+    AddTo(AmplitudeWord(AMPLITUDE_RAYS), rays);
+    if (s_hits == 0)
+        return;
+    AddTo(AmplitudeWord(AMPLITUDE_HITS), s_hits);
+    AddTo(AmplitudeWord(AMPLITUDE_BOUNCES), s_bounces);
+    AddWords(AmplitudeWord(AMPLITUDE_LENGTHS), 2, s_lengths.x, s_lengths.y, 0);
+    if (s_received > 0)
+        AddTo(AmplitudeWord(AMPLITUDE_RECEIVED), s_received);
 }
 
 // Follows the ray through a position of the grid, and keeps what a point says of it, if there is one.
-Return Follow(float2 position, uint recorded)
+Return Follow(float2 position, uint recorded, bool isCounted)
 {
-    float2 pixel = _PictureStart.xy + position * _PictureStep.xy;
-    Path path = BeginPath(pixel);
-    float3 aside = _Aside.xyz + pixel.x * _DirectionDx.xyz + pixel.y * _DirectionDy.xyz;
+    TubePose rays = _Poses[s_pose];
+    float4 start = _AmplitudePoses[s_pose].Aside;
+    float2 step = _AmplitudePoses[s_pose].PictureStep, pixel = _AmplitudePoses[s_pose].PictureStart + position * step;
+    float3 origin = rays.Origin.xyz + (pixel.x * rays.OriginDx.xyz + pixel.y * rays.OriginDy.xyz),
+        direction = rays.Direction.xyz + (pixel.x * rays.DirectionDx.xyz + pixel.y * rays.DirectionDy.xyz),
+        aside = start.xyz + pixel.x * rays.DirectionDx.xyz + pixel.y * rays.DirectionDy.xyz;
     float square = dot(aside, aside), size = sqrt(1.0 + square);
-    // BeginPath subtracts 1 from the size, which leaves float32 few digits far away.
-    path.RelativeLength = _OriginDepth.x * square / (1.0 + size);
-    bool isParallel = _Aside.w != 0.0;
-    float3 stepU = _PictureStep.x * (isParallel ? _OriginDx.xyz : _DirectionDx.xyz / size);
-    float3 stepV = _PictureStep.y * (isParallel ? _OriginDy.xyz : _DirectionDy.xyz / size);
+    // Without the difference of two numbers near each other, which leaves float32 few digits far away.
+    Path path = BeginPath(origin, direction * (1.0 / sqrt(dot(direction, direction))), rays.OriginDepth * square / (1.0 + size));
+    bool isParallel = start.w != 0.0;
+    float3 stepU = step.x * (isParallel ? rays.OriginDx.xyz : rays.DirectionDx.xyz / size);
+    float3 stepV = step.y * (isParallel ? rays.OriginDy.xyz : rays.DirectionDy.xyz / size);
     Return result = (Return)0;
     uint planes = 2166136261u, word = recorded * _PointWords + POINT_LANDINGS;
     bool goesOn = true;
@@ -151,7 +201,7 @@ Return Follow(float2 position, uint recorded)
             toReceiver = ToReceiver(path.Ray.Origin, path.Ray.Direction);
             if (recorded != NO_POINT)
             {
-                Landing landing = LandingOf(path, stepU, stepV, _OriginDepth.x + path.RelativeLength);
+                Landing landing = LandingOf(path, stepU, stepV, rays.OriginDepth + path.RelativeLength);
                 _Points[word] = f32tof16(landing.Position.x) | f32tof16(landing.Position.y) << 16;
                 _Points[word + 1] = asuint(landing.Motion);
                 word += 2;
@@ -178,7 +228,8 @@ Return Follow(float2 position, uint recorded)
             Scatter(path, hit);
         }
     }
-    AddRay(path, result.Signature != 0);
+    if (isCounted)
+        CountRay(path, result.Signature != 0);
     if (recorded != NO_POINT)
     {
         _Points[recorded * _PointWords] = result.Signature;
@@ -192,16 +243,34 @@ Return Follow(float2 position, uint recorded)
     return result;
 }
 
+Return Follow(float2 position, uint recorded)
+{
+    return Follow(position, recorded, true);
+}
+
 // The amplitude needs all bounces.
 uint SignatureAt(float2 position, Cell cell, uint bounces)
 {
     return Follow(position, NO_POINT).Signature;
 }
 
-// A border cell. In the list Signatures are the points of its corners.
+// The first new point of a cell that was divided. cell: the first one of its parts.
+uint FirstNewPoint(Cell cell)
+{
+    return cell.Signatures.y;
+}
+
+// Signature of a corner of a cell that was divided.
+uint SignatureOfCorner(uint block, uint corner)
+{
+    return _Points[_TubeCells[BLOCK_CELLS * block + corner].Signatures[corner] * _PointWords];
+}
+
+// A border cell, whose pose becomes that of the thread. In the list Signatures are the points of its corners.
 Cell LoadBorder(uint index)
 {
     Cell cell = _Borders[index];
+    EnterPose(cell.Pose, index);
     uint4 words = cell.Signatures * _PointWords;
     cell.Signatures = uint4(_Points[words.x], _Points[words.y], _Points[words.z], _Points[words.w]);
     return cell;
@@ -217,6 +286,7 @@ float3 BendsOf(Return ray, float side)
 Tube TubeOf(Return ray)
 {
     Tube tube = (Tube)0;
+    tube.Tag = s_pose;
     tube.Phase = ray.Length;
     tube.Gradient = ray.Gradient;
     tube.CoPolar = float4(1.0, 0.0, 0.0, 0.0);

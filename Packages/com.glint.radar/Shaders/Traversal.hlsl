@@ -75,13 +75,21 @@ void TraverseInstance(uint instance, Ray ray, uint4 entryPoints, bool anyHit, in
 }
 
 #ifndef GLINT_INLINE_INSTANCES
+// Scenes of several poses lie one behind the other: of this thread's scene the first instance, and the first row of the BVH
+// over its instances.
+#ifdef GLINT_AMPLITUDE
+static uint s_firstInstance = 0, s_firstRow = 0;
+#else
+static const uint s_firstInstance = 0, s_firstRow = 0;
+#endif
+
 // Met: the triangle that float32 has hit, which is tested alone, before a search if the ray misses it; NO_INSTANCE: not
 // known. Both are one call, because the code of the double-float tests is long.
 void TraverseInstanceBvh(Ray ray, uint2 met, bool anyHit, inout TraversalState state)
 {
     TraversalRay traversalRay =
         MakeTraversalRay(ray.Start, Rounded(ray.Direction), state.PositionError, state.DirectionError);
-    BoxRay boxRay = MakeBoxRay(traversalRay, asfloat(_InstanceBvh[0].xyz));
+    BoxRay boxRay = MakeBoxRay(traversalRay, asfloat(_InstanceBvh[s_firstRow].xyz));
     uint stack[STACK_BOTTOM + BINARY_LEVELS];
     stack[0] = DONE;
     stack[1] = DONE;
@@ -95,9 +103,9 @@ void TraverseInstanceBvh(Ray ray, uint2 met, bool anyHit, inout TraversalState s
         while ((current & LEAF) == 0)
         {
             COUNT_NODE;
-            Entered entered =
-                EnterChildren(_InstanceBvh[current], _InstanceBvh[current + 1],
-                    _InstanceBvh[current + 2].xyz, boxRay, state.Distance);
+            uint row = s_firstRow + current;
+            Entered entered = EnterChildren(_InstanceBvh[row], _InstanceBvh[row + 1], _InstanceBvh[row + 2].xyz, boxRay,
+                state.Distance);
             current = entered.Near;
             if (entered.Both)
                 stack[++top] = entered.Far;
@@ -107,7 +115,7 @@ void TraverseInstanceBvh(Ray ray, uint2 met, bool anyHit, inout TraversalState s
         if (current != DONE)
         {
             // A leaf holds the index of an instance.
-            uint instance = isMet ? met.x : _InstanceBvh[current & ~LEAF].x;
+            uint instance = isMet ? met.x : s_firstInstance + _InstanceBvh[s_firstRow + (current & ~LEAF)].x;
 #ifdef GLINT_REFINE
             if (isMet)
                 state.PendingLeaf = 4 * (met.y / 2) + ((met.y & 1) != 0 ? 2 : 1);

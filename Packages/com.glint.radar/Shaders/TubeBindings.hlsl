@@ -14,12 +14,6 @@ static const uint TUBE_CENTRES = 7;        // cells of this round whose centre i
 static const uint TUBE_BORDERS = 9;        // border cells of this round that the border cuts in two,
 static const uint TUBE_WHOLES = 11;        // and the others
 static const uint TUBE_POINTS = 13;        // points of an amplitude's cells; may exceed _PointCapacity
-static const uint TUBE_REVEALED = 14;      // parts of cells in which more was found than in attempts before
-static const uint TUBE_HITS = 16;          // of the rays of an amplitude, 64 bits each: those that hit,
-static const uint TUBE_BOUNCES = 18;       // their bounces,
-static const uint TUBE_RECEIVED = 20;      // those received,
-static const uint TUBE_LENGTHS = 22;       // and their lengths to the last hit less _OriginDepth, in units
-static const float TUBE_LENGTH_UNITS = 256.0;   // a metre
 static const uint MAX_POSES = 128;         // of a dispatch
 static const uint POSE_COUNTS = 24;        // counts of each pose:
 static const uint POSE_COUNT_WORDS = 4;
@@ -36,6 +30,16 @@ static const uint SUM_ERROR = 20;          // sum of squared errors of VV and HH
 static const uint SUM_CROSS_BENT = 22;     // the same of HV and VH
 static const uint SUM_CROSS_ERROR = 26;
 static const uint SUM_TUBE_OVERFLOW = 28;  // 1: a contribution was too large for a sum
+// Counts of an amplitude, behind the sums, in copies over which threads spread: each of each pose has
+static const uint AMPLITUDE_COPIES = 32;
+static const uint AMPLITUDE_WORDS = 8;
+static const uint AMPLITUDE_RAYS = 0;      // rays,
+static const uint AMPLITUDE_HITS = 1;      // those that hit,
+static const uint AMPLITUDE_BOUNCES = 2;   // their bounces,
+static const uint AMPLITUDE_RECEIVED = 3;  // those received,
+static const uint AMPLITUDE_REVEALED = 4;  // parts of cells in which more was found than in attempts before,
+static const uint AMPLITUDE_LENGTHS = 6;   // and lengths to the last hit less OriginDepth, in units, 64 bits
+static const float AMPLITUDE_LENGTH_UNITS = 256.0;   // a metre
 static const uint PART_WORDS = 16;         // of a part: see TubeParts; its words are those of SUM_S
 
 static const uint MAX_RECEIVERS = 16;
@@ -44,11 +48,14 @@ static const uint REFLECTION_STEPS = 1024; // of a table over the cosine of the 
 static const uint FLAT = 0xffffffff;       // a facet without a field of normals
 static const uint BLOCK_CELLS = 4;         // into which a cell is divided
 static const uint BLOCK_CORNERS = 9;
+static const uint NEW_CORNERS = 5;         // of them: the middles of the sides of the cell, and its centre
+static const uint BORDER_RAYS = 4;         // of a border cell of an amplitude, before it is cut or divided
 static const uint TUBES_A_GROUP = 256;      // of the kernel that sums
 static const uint BAND_FREQUENCIES = 64;   // of a block of frequencies that are summed together, at most
 static const uint BAND_ROWS = 3;           // of a block in _Bands
 
 static const uint REVEALED_WORDS = 65536;  // of the bits of a pose (RevealedCells.hlsl)
+uint _RevealedWords;                       // the same; an amplitude has others (AmplitudePath.hlsl)
 
 // Byte offsets of the indirect dispatches in _Arguments.
 static const uint BORDER_ARGUMENTS = 0;
@@ -60,6 +67,8 @@ static const uint CENTRE_ARGUMENTS = 60;
 static const uint OUTLINE_ARGUMENTS = 72;
 static const uint WHOLE_ARGUMENTS = 84;
 static const uint CHANGE_ARGUMENTS = 96;
+static const uint BORDER_RAY_ARGUMENTS = 108;
+static const uint NEW_CORNER_ARGUMENTS = 120;
 
 // GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
 // The piece is a polygon in the plane of the grid, whose unit is a base cell.

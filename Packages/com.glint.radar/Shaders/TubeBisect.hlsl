@@ -32,6 +32,11 @@ BothSides PartingPaths(Cell cell, Border border, uint which)
     return WholePaths(border);
 }
 #else
+void AddRays(uint rays)
+{
+    AddTo(CountWord(POSE_BORDER_RAYS), rays);
+}
+
 // Up to the bounce at which the paths through the ends of a side part.
 BothSides PartingPaths(Cell cell, Border border, uint which)
 {
@@ -87,7 +92,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     else
         _Borders[listed].Crossings.y = crossing;
     if (rays > 0)
-        AddTo(CountWord(POSE_BORDER_RAYS), rays);
+        AddRays(rays);
 }
 
 #endif

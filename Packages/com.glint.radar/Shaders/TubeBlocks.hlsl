@@ -2,57 +2,14 @@
 #define GLINT_TUBE_BLOCKS
 
 #include "TubeSquares.hlsl"
+#include "TubeSlices.hlsl"
 
 // The cells of a round, and the corners that they share: base cells those of a slice of the grid, cells of later rounds
 // those of the four into which a cell was divided.
 
-// Base cells of the pose's slice: across, and rows.
-uint2 SliceSize()
-{
-    uint4 slice = _Poses[s_pose].Slice;
-    return uint2(slice.z, slice.y / slice.z);
-}
-
-uint2 SliceStart()
-{
-    uint first = _Poses[s_pose].Slice.x, across = _Poses[s_pose].Cells.x;
-    return uint2(first % across, first / across);
-}
-
-uint CellCount()
-{
-    return _Round == 0 ? _BaseCounts.x : CountOfList(TUBE_CELLS, _ListCapacity.y);
-}
-
 uint CornerCount()
 {
     return _Round == 0 ? _BaseCounts.y : CellCount() / BLOCK_CELLS * BLOCK_CORNERS;
-}
-
-// The pose of a base cell of the dispatch, or of a corner of base cells.
-uint PoseOf(uint index, bool isCorner)
-{
-    uint pose = 0;
-    for (uint step = MAX_POSES / 2; step > 0; step /= 2)
-    {
-        uint next = min(pose + step, _PoseCount - 1);
-        pose = (isCorner ? _Poses[next].FirstCorner : _Poses[next].Slice.w) <= index ? next : pose;
-    }
-    return pose;
-}
-
-// A base cell of the dispatch, whose pose becomes that of the thread.
-Cell LoadBaseCell(uint index)
-{
-    s_pose = PoseOf(index, false);
-    uint4 slice = _Poses[s_pose].Slice;
-    uint inSlice = index - slice.w;
-    Cell cell = (Cell)0;
-    cell.Position = SliceStart() + uint2(inSlice % slice.z, inSlice / slice.z);
-    cell.Pose = s_pose;
-    cell.Number = index;
-    CountAt(cell.Position);
-    return cell;
 }
 
 // A cell of the round, whose pose becomes that of the thread.
@@ -77,12 +34,7 @@ uint CornerOfBlock(uint block, uint2 at)
 uint CornerOfCell(uint index, uint2 at, uint round)
 {
     if (round == 0)
-    {
-        uint4 slice = _Poses[s_pose].Slice;
-        uint inSlice = index - slice.w;
-        at += uint2(inSlice % slice.z, inSlice / slice.z);
-        return _Poses[s_pose].FirstCorner + at.x + at.y * (slice.z + 1);
-    }
+        return CornerOfBaseCell(index, at);
     at += uint2(index & 1, index >> 1 & 1);
     return CornerOfBlock(index / BLOCK_CELLS, at);
 }

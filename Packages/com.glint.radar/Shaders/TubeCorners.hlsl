@@ -30,7 +30,7 @@ struct CornerPosition
     bool IsCounted;        // dispatches that share a base corner count it once
 };
 
-static const uint NO_CORNER = 0xffffffff, NEW_CORNERS = 5;
+static const uint NO_CORNER = 0xffffffff;
 
 static const float MAX_HALF = 65504.0;
 

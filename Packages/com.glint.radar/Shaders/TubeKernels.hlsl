@@ -14,6 +14,8 @@
 #include "AmplitudePoints.hlsl"
 #elif defined(GLINT_CELLS)
 #include "AmplitudeCells.hlsl"
+#elif defined(GLINT_BORDER_RAYS)
+#include "AmplitudeRays.hlsl"
 #else
 #include "AmplitudeBorders.hlsl"
 #endif

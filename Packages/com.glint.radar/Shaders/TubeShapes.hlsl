@@ -25,26 +25,6 @@ float2 CentreOfCell(Cell cell)
 
 // Of a cell: the error that it may have, p.C times area in m2, or a phasor's times area in base cells; the level at which it is
 // not divided; the bisections of the sides of a base cell towards a border, at most.
-#ifdef GLINT_AMPLITUDE
-float _CellError;
-uint _MaxLevel;
-uint _MaxBisections;
-
-float CellError()
-{
-    return _CellError;
-}
-
-uint MaxLevel()
-{
-    return _MaxLevel;
-}
-
-uint MaxBisections()
-{
-    return _MaxBisections;
-}
-#else
 float CellError()
 {
     return _Poses[s_pose].CellError;
@@ -59,7 +39,6 @@ uint MaxBisections()
 {
     return _Poses[s_pose].MaxBisections;
 }
-#endif
 
 // Error of a cell that is summed as a whole although its corners do not see the same, as a fraction of its area: of a straight
 // border anywhere in it the root mean square is 0.22 to 0.29 by its direction.

@@ -140,7 +140,7 @@ uint _BeginningCount;
 void ClearRevealed(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint word = IndexOf(group, thread);
-    if (word < _PoseCount * REVEALED_WORDS)
+    if (word < _PoseCount * _RevealedWords)
         _RevealedByNow[word] = 0;
 }
 
@@ -149,9 +149,9 @@ void ClearRevealed(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void TakeRevealed(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (index >= _BeginningCount * REVEALED_WORDS)
+    if (index >= _BeginningCount * _RevealedWords)
         return;
-    uint word = _Beginning[index / REVEALED_WORDS] * REVEALED_WORDS + index % REVEALED_WORDS;
+    uint word = _Beginning[index / _RevealedWords] * _RevealedWords + index % _RevealedWords;
     _WrittenRevealed[word] = _RevealedByNow[word];
 }
 
@@ -182,6 +182,7 @@ void PrepareBorders()
     uint cut = GroupsOfList(TUBE_BORDERS, _ListCapacity.z);
     StoreGroups(BISECT_ARGUMENTS, 2 * cut, 1);
     StoreGroups(BORDER_ARGUMENTS, cut, 1);
+    StoreGroups(BORDER_RAY_ARGUMENTS, BORDER_RAYS * cut, 1);
     StoreGroups(WHOLE_ARGUMENTS, GroupsOfList(TUBE_WHOLES, _ListCapacity.z), 1);
 }
 
@@ -193,6 +194,8 @@ void PrepareCells()
     StoreGroups(CELL_ARGUMENTS, GroupsOf(cells, _ListCapacity.y, GLINT_GROUP), 1);
     StoreGroups(CORNER_ARGUMENTS, GroupsOf(BLOCK_CORNERS * (cells / BLOCK_CELLS),
         BLOCK_CORNERS * (_ListCapacity.y / BLOCK_CELLS), GLINT_GROUP), 1);
+    StoreGroups(NEW_CORNER_ARGUMENTS, GroupsOf(NEW_CORNERS * (cells / BLOCK_CELLS),
+        NEW_CORNERS * (_ListCapacity.y / BLOCK_CELLS), GLINT_GROUP), 1);
     StoreGroups(TUBE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, TUBES_A_GROUP), _FrequencyGroups);
     StoreGroups(CHANGE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, GLINT_GROUP), 1);
     _Sums[TUBE_CELLS] = _Sums[TUBE_NEXT_CELLS];

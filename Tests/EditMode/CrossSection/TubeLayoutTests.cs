@@ -16,6 +16,8 @@ namespace Glint.Tests
             Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(112));
             Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<TubePose>(), Is.EqualTo(240));
+            Assert.That(Marshal.SizeOf<AmplitudePose>(), Is.EqualTo(112));
+            Assert.That(Marshal.SizeOf<BorderRay>(), Is.EqualTo(32));
             Assert.That(Marshal.SizeOf<TubeCorner>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<SeaFacet>(), Is.EqualTo(32));
@@ -64,9 +66,16 @@ namespace Glint.Tests
                 Reference = float2(153, 154), FirstCorner = 155, OriginDepth = 156, RadarPhase = 157,
                 CellError = 158, MaxLevel = 159, MaxBisections = 160
             };
+            var picture = new AmplitudePose
+            {
+                Aside = Row(169), ReceiverCentre = Row(173), ReceiverRight = Row(177), ReceiverUp = Row(181),
+                ReceiverForward = Row(185), PictureStart = float2(189, 190), PictureStep = float2(191, 192), EmptyLevel = 193,
+                FirstInstance = 194, FirstRow = 195, Unused = 196
+            };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
                 || field == 48 || field == 52 || field == 72 || field == 76 || field == 80
-                || field >= 81 && field <= 86 || field == 88 || field >= 145 && field <= 152 || field == 155 || field >= 159 && field <= 164 || field == 168;
+                || field >= 81 && field <= 86 || field == 88 || field >= 145 && field <= 152 || field == 155 || field >= 159 && field <= 164 || field == 168
+                || field >= 193;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
@@ -76,7 +85,8 @@ namespace Glint.Tests
                 fields.Bind("_SeaTileIn", tile);
                 fields.Bind("_CornerIn", corner);
                 fields.Bind("_TubePoseIn", pose);
-                Assert.That(fields.Unpack(168), Is.EqualTo(Enumerable.Range(1, 168)
+                fields.Bind("_AmplitudePoseIn", picture);
+                Assert.That(fields.Unpack(196), Is.EqualTo(Enumerable.Range(1, 196)
                     .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
             }
         }
@@ -104,10 +114,11 @@ namespace Glint.Tests
                     ["BAND_FREQUENCIES"] = TubeBands.MaxFrequencies, ["BAND_ROWS"] = TubeBands.Rows,
                     ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
                     ["COVER_SIDE"] = TubeKernels.CoverSide, ["REVEALED_WORDS"] = TubeKernels.RevealedWords,
-                    ["PART_WORDS"] = TubeKernels.PartWords, ["TUBE_REVEALED"] = AmplitudeTracer.RevealedCount,
-                    ["TUBE_HITS"] = AmplitudeTracer.Hits, ["TUBE_BOUNCES"] = AmplitudeTracer.Bounces,
-                    ["TUBE_RECEIVED"] = AmplitudeTracer.Received, ["TUBE_LENGTHS"] = AmplitudeTracer.Lengths,
-                    ["TUBE_LENGTH_UNITS"] = AmplitudeTracer.LengthUnits,
+                    ["PART_WORDS"] = TubeKernels.PartWords, ["AMPLITUDE_REVEALED"] = AmplitudeSums.RevealedParts,
+                    ["AMPLITUDE_HITS"] = AmplitudeSums.Hits, ["AMPLITUDE_BOUNCES"] = AmplitudeSums.Bounces,
+                    ["AMPLITUDE_RECEIVED"] = AmplitudeSums.Received, ["AMPLITUDE_LENGTHS"] = AmplitudeSums.Lengths,
+                    ["AMPLITUDE_LENGTH_UNITS"] = AmplitudeSums.LengthUnits, ["AMPLITUDE_RAYS"] = AmplitudeSums.Rays,
+                    ["AMPLITUDE_COPIES"] = AmplitudeSums.Copies, ["AMPLITUDE_WORDS"] = AmplitudeSums.CountWords,
                     ["BORDER_ARGUMENTS"] = TubeRounds.BorderArguments,
                     ["CELL_ARGUMENTS"] = TubeRounds.CellArguments, ["TUBE_ARGUMENTS"] = TubeRounds.TubeArguments,
                     ["BISECT_ARGUMENTS"] = TubeRounds.BisectArguments,
@@ -115,6 +126,8 @@ namespace Glint.Tests
                     ["CENTRE_ARGUMENTS"] = TubeRounds.CentreArguments,
                     ["OUTLINE_ARGUMENTS"] = TubeRounds.OutlineArguments, ["WHOLE_ARGUMENTS"] = TubeRounds.WholeArguments,
                     ["CHANGE_ARGUMENTS"] = TubeRounds.ChangeArguments,
+                    ["BORDER_RAY_ARGUMENTS"] = TubeRounds.BorderRayArguments,
+                    ["NEW_CORNER_ARGUMENTS"] = TubeRounds.NewCornerArguments, ["NEW_CORNERS"] = TubeKernels.NewCorners, ["BORDER_RAYS"] = AmplitudeKernels.BorderRays,
                     ["TUBE_EXTRAS"] = TubeKernels.TubeExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
@@ -165,11 +178,15 @@ namespace Glint.Tests
             Assert.That(TubeSums.FirstPose + TubeSums.PoseWords * TubeSums.PoseParts * TubeKernels.MaxPoses, Is.EqualTo(TubeKernels.FirstSum));
             Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
+            Assert.That(new[] { AmplitudeSums.Rays, AmplitudeSums.Hits, AmplitudeSums.Bounces, AmplitudeSums.Received,
+                AmplitudeSums.RevealedParts, AmplitudeSums.Lengths, AmplitudeSums.Lengths + 1 }, Is.Unique
+                .And.All.LessThan(AmplitudeSums.CountWords));
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,
                 TubeRounds.BisectArguments, TubeRounds.CornerArguments, TubeRounds.CentreArguments,
-                TubeRounds.OutlineArguments, TubeRounds.WholeArguments, TubeRounds.ChangeArguments };
-            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72, 84, 96 }));
-            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(96 + 12));
+                TubeRounds.OutlineArguments, TubeRounds.WholeArguments, TubeRounds.ChangeArguments,
+                TubeRounds.BorderRayArguments, TubeRounds.NewCornerArguments };
+            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72, 84, 96, 108, 120 }));
+            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(120 + 12));
         }
 
         // Tags of tubes have 8 bits for the receiver, 8 for the bounce, and the corners above.

@@ -144,6 +144,54 @@ namespace Glint.Tests
             }
         }
 
+        /// <summary>Bit for bit, whatever the slices: of two instances, one of which turns, beside other views and scenes.</summary>
+        [TestCase(0, 0)]
+        [TestCase(50, 0)]
+        [TestCase(0, 1 << 13)]
+        public void Trace_ManyPoses_GivesResultsOfSingleOnes(int rowsADispatch, int listCapacity)
+        {
+            TriangleMesh reflector = CornerReflector.Turned(0).Instances[0].Mesh, square = Square(0.3f);
+            RadarPose Turned(double degrees, double toleranceDb)
+            {
+                var scene = new RadarScene(CornerReflector.Turned(degrees).Instances[0], new MeshInstance
+                {
+                    Mesh = square, ToWorld = Affine.Identity
+                });
+                scene.Instances[0].Mesh = reflector;
+                scene.Instances[1].ToWorld.Origin = new double3(1.5 - 0.05 * degrees, 0, 0);
+                return Pose(scene, CornerReflector.View, toleranceDb);
+            }
+            var poses = new[]
+            {
+                Turned(0, 1), Turned(10, 0.3), Turned(28, 1), Turned(12, 1), Turned(5, 1),
+                // Nothing in the picture; another scene.
+                Turned(0, 1), Pose(CornerReflector.Turned(20), CornerReflector.View, 1)
+            };
+            poses[3].Settings.Region = new RayRegion { Left = 480, Bottom = 200, Width = 960, Height = 500 };
+            poses[5].Settings.Region = new RayRegion { Left = 0, Bottom = 0, Width = 10, Height = 10 };
+            var single = Array.ConvertAll(poses, pose => _tracer.Trace(pose));
+            Assert.That(single.Take(5).Select(result => result.RaysReceived), Is.All.GreaterThan(0));
+            Assert.That(single[5].RaysEmitted, Is.EqualTo(0));
+            using (var together = new AmplitudeTracer(TestKernels.Amplitude)
+            {
+                PosesTogether = 8, RowsADispatch = rowsADispatch, ListCapacity = listCapacity
+            })
+            {
+                var results = together.Trace(poses);
+                for (int i = 0; i < poses.Length; i++)
+                {
+                    Assert.That(results[i].InPhase, Is.EqualTo(single[i].InPhase), $"{i}");
+                    Assert.That(results[i].Quadrature, Is.EqualTo(single[i].Quadrature), $"{i}");
+                    Assert.That(results[i].SamplingError, Is.EqualTo(single[i].SamplingError), $"{i}");
+                    Assert.That(results[i].RaysReceived, Is.EqualTo(single[i].RaysReceived), $"{i}");
+                    Assert.That(results[i].RaysHit, Is.EqualTo(single[i].RaysHit), $"{i}");
+                    Assert.That(results[i].PathLengthMeters, Is.EqualTo(single[i].PathLengthMeters), $"{i}");
+                    Assert.That(results[i].RaysEmitted, Is.EqualTo(single[i].RaysEmitted), $"{i}");
+                    Assert.That(results[i].Undersampled, Is.EqualTo(single[i].Undersampled), $"{i}");
+                }
+            }
+        }
+
         [Test]
         public void TrueError_IsAsSaid()
         {

@@ -141,7 +141,7 @@ namespace Glint.Tests
             int ahead = 0;
             using (var run = Sweep(plan))
             {
-                run.Overlaps = true;
+                run.PosesAhead = 1;
                 while (!run.IsComplete)
                 {
                     rows.Add(Describe(run.Step()));
@@ -157,6 +157,68 @@ namespace Glint.Tests
             Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
         }
 
+        void SetTolerance()
+        {
+            var settings = TestRadar.Settings();
+            settings.ToleranceDb = 1;
+            (_radar.Settings, _radar.TubeKernel) = (settings, TestKernels.Amplitude);
+        }
+
+        [Test]
+        public void Step_OfTubes_TracesPosesTogether_AndGivesTheRowsOfOneAtATime([NUnit.Framework.Range(0, 4)] int between)
+        {
+            var plan = new SweepPlan(new double[] { 0, 1, 2, 3, 4, 20, 40 });
+            SetTolerance();
+            var expected = new List<string>();
+            using (var run = Sweep(plan))
+                while (!run.IsComplete)
+                    expected.Add(Describe(run.Step()));
+            var rows = new List<string>();
+            var shown = new List<double>();
+            using (var run = Sweep(plan))
+            {
+                run.PosesAhead = int.MaxValue;
+                while (!run.IsComplete)
+                {
+                    _radar.Tubes.PosesTogether = 3;
+                    rows.Add(Describe(run.Step()));
+                    shown.Add(_target.transform.eulerAngles.y);
+                    s_between[between](_radar);
+                }
+            }
+            Assert.That(rows, Is.EqualTo(expected));
+            Assert.That(shown[0], Is.EqualTo(2).Within(1e-3), "the scene is two poses ahead");
+            if (between == 0)
+                Assert.That(shown, Is.EqualTo(new double[] { 2, 2, 2, 20, 20, 20, 40 }).Within(1e-3));
+        }
+
+        [Test]
+        public void Step_OfTubesCancelled_KeepsTheRowsBeforeAndCanGoOn()
+        {
+            var plan = new SweepPlan(new double[] { 0, 10, 20, 30, 40 });
+            SetTolerance();
+            var expected = new List<string>();
+            using (var run = Sweep(plan))
+                while (!run.IsComplete)
+                    expected.Add(Describe(run.Step()));
+            var rows = new List<string>();
+            using (var cancel = new CancellationTokenSource())
+            using (var run = Sweep(plan))
+            {
+                _radar.Tubes.PosesTogether = 2;
+                run.PosesAhead = int.MaxValue;
+                rows.Add(Describe(run.Step()));
+                rows.Add(Describe(run.Step()));
+                cancel.Cancel();
+                Assert.That(() => run.Step(null, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+                Assert.That(run.Done, Is.EqualTo(2));
+                while (!run.IsComplete)
+                    rows.Add(Describe(run.Step()));
+            }
+            Assert.That(rows, Is.EqualTo(expected));
+            Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
+        }
+
         /// <summary>The scene shows the next pose after a step, unless the paths of this one are drawn.</summary>
         [Test]
         public void Step_WithRayPaths_OverlapsUnlessTheyAreShown([Values] bool areShown)
@@ -166,7 +228,7 @@ namespace Glint.Tests
             var plan = new SweepPlan(new double[] { 0, 10, 20, 30 });
             using (var run = Sweep(plan))
             {
-                run.Overlaps = true;
+                run.PosesAhead = 1;
                 while (run.Done < 3)
                 {
                     if (areShown)
@@ -191,7 +253,7 @@ namespace Glint.Tests
             using (var cancel = new CancellationTokenSource())
             using (var run = Sweep(plan))
             {
-                run.Overlaps = true;
+                run.PosesAhead = 1;
                 rows.Add(Describe(run.Step()));
                 rows.Add(Describe(run.Step()));
                 cancel.Cancel();
@@ -223,7 +285,7 @@ namespace Glint.Tests
         {
             using (var run = Sweep(new SweepPlan(new double[] { 0, 10, 20 })))
             {
-                run.Overlaps = true;
+                run.PosesAhead = 1;
                 run.Step();
                 Assert.That(run.Step(readback: RayReadback.All).Result.Rays.Length, Is.EqualTo(160 * 90));
                 Assert.That(run.Step().Result.Rays, Is.Empty);
@@ -237,7 +299,7 @@ namespace Glint.Tests
             _radar.Traced += radar => angles.Add(_target.transform.eulerAngles.y);
             using (var run = Sweep(new SweepPlan(new double[] { 0, 10, 20 })))
             {
-                run.Overlaps = true;
+                run.PosesAhead = 1;
                 while (!run.IsComplete)
                     run.Step();
             }

@@ -83,7 +83,7 @@ sealed class SweepBench(LoadedScene loaded, int poses, GpuClock clock)
         try
         {
             using var folder = ResultsFolder.Open(path);
-            using var run = new SweepRun(_setup, folder) { Overlaps = true };
+            using var run = new SweepRun(_setup, folder) { PosesAhead = int.MaxValue };
             var rows = new List<TraceStatistics>();
             TimeSpan firstRow = default, firstWriting = default;
             while (!run.IsComplete)

@@ -5,6 +5,7 @@ using Glint.Core;
 using Glint.Host;
 using Glint.Reference;
 using Glint.Vulkan;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint.Cli;
@@ -22,13 +23,19 @@ sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int round
     // uncertainty.
     const int Cells = 2880, OtherCells = 1920;
 
+    // Between poses that are traced together.
+    const double TurnDegrees = 0.01;
+
     /// <exception cref="GlintException">The device cannot trace.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public TubeResult Run()
     {
-        var result = new TubeResult { Device = GraphicsDevice.Current.Info, Rounds = rounds };
         using var uniform = new RayTracer(kernel, "ray tubes");
         using var tubes = new AmplitudeTracer(tubeKernel, "ray tubes");
+        var result = new TubeResult
+        {
+            Device = GraphicsDevice.Current.Info, Rounds = rounds, PosesTogether = tubes.PosesTogether
+        };
         var scenes = AccuracyScene.All();
         progress.Start("ray tubes", scenes.Count);
         clock.IsOn = clock.IsSupported;
@@ -62,27 +69,55 @@ sealed class TubeBench(ComputeShader kernel, ComputeShader tubeKernel, int round
         var times = Array.ConvertAll(poses, pose => new Series());
         var kernels = Array.ConvertAll(poses, pose => new Series());
         var results = new RadarResult[poses.Length];
+        var sweep = Enumerable.Range(0, tubes.PosesTogether).Select(i =>
+            Turned(PoseOf(scene, SettingsOf(TubeScene.Goal)), i * TurnDegrees)).ToArray();
+        Series sweepTimes = new(), sweepKernels = new();
         // They take turns, so that a slow phase of the machine affects all. The first round is a warm-up.
         for (int round = 0; round <= rounds; round++)
+        {
             for (int i = 0; i < poses.Length; i++)
             {
-                if (clock.IsOn)
-                    clock.Reset();
-                var watch = Stopwatch.StartNew();
-                results[i] = poses[i].Settings.ToleranceDb > 0 ? tubes.Trace(poses[i], null, progress.Cancel)
-                    : uniform.Trace(poses[i], RayReadback.None, null, progress.Cancel);
-                if (round > 0)
-                {
-                    times[i].Add(watch.Elapsed.TotalMilliseconds);
-                    if (clock.IsOn)
-                        kernels[i].Add(clock.Read());
-                }
+                Time(() => results[i] = poses[i].Settings.ToleranceDb > 0 ? tubes.Trace(poses[i], null, progress.Cancel)
+                    : uniform.Trace(poses[i], RayReadback.None, null, progress.Cancel), 1, round, times[i], kernels[i]);
                 new Part(progress, 2, 3).Report((round + (i + 1.0) / poses.Length) / (rounds + 1));
             }
+            if (sweep.Length > 1)
+                Time(() => tubes.Trace(sweep, null, progress.Cancel), sweep.Length, round, sweepTimes, sweepKernels);
+        }
         for (int i = 0; i < poses.Length; i++)
             (poses[i].Settings.ToleranceDb > 0 ? measured.Tubes : measured.Uniform).Add(new TubeRow(
                 poses[i].Settings, results[i], times[i], kernels[i], measured.ErrorOf(results[i].NormalisedAmplitude)));
+        if (sweep.Length > 1)
+            measured.Together = new TubeRow(measured.TubesAtGoal.Settings, measured.TubesAtGoal.Result, sweepTimes, sweepKernels,
+                measured.TubesAtGoal.Error);
         return measured;
+    }
+
+    // Adds the times of each of some poses, but for the warm-up.
+    void Time(Action trace, int count, int round, Series times, Series kernels)
+    {
+        if (clock.IsOn)
+            clock.Reset();
+        var watch = Stopwatch.StartNew();
+        trace();
+        if (round == 0)
+            return;
+        times.Add(watch.Elapsed.TotalMilliseconds / count);
+        if (clock.IsOn)
+            kernels.Add(clock.Read() / count);
+    }
+
+    // The pose with its scene turned about the vertical through its origin.
+    static RadarPose Turned(in RadarPose pose, double degrees)
+    {
+        double half = math.radians(degrees) / 2;
+        var turn = Affine.FromTransform(0, new double4(0, math.sin(half), 0, math.cos(half)), 1);
+        var instances = Array.ConvertAll(pose.Scene.Instances, instance =>
+        {
+            instance.ToWorld = turn * instance.ToWorld;
+            return instance;
+        });
+        return new RadarPose(new RadarScene(instances), pose.Settings, pose.View);
     }
 
     static RadarPose PoseOf(AccuracyScene scene, in RadarSettings settings) => new(scene.Scene, settings, scene.View);

@@ -16,6 +16,7 @@ static class TubeJson
             ["driver"] = result.Device.Driver,
             ["glint"] = GlintVersion.Text,
             ["rounds"] = result.Rounds,
+            ["poses_together"] = result.PosesTogether,
             ["scenes"] = new JArray(result.Scenes.Select(Scene)),
         });
     }
@@ -27,6 +28,7 @@ static class TubeJson
         ["converged_amplitude_uncertainty"] = scene.Uncertainty,
         ["converged_phase_rad"] = scene.Converged.Phase,
         ["tubes"] = new JArray(scene.Tubes.Select(row => Row(row, "tolerance_db", row.Settings.ToleranceDb))),
+        ["together"] = scene.Together == null ? null : Row(scene.Together, "tolerance_db", scene.Together.Settings.ToleranceDb),
         ["uniform"] = new JArray(scene.Uniform.Select(row => Row(row, "rays_across", row.Settings.RaysAcross))),
     };
 

@@ -10,6 +10,10 @@ sealed class TubeResult
 {
     public DeviceInfo Device { get; init; }
     public int Rounds { get; init; }
+
+    /// <summary>Poses of ray tubes that are traced together.</summary>
+    public int PosesTogether { get; init; }
+
     public List<TubeScene> Scenes { get; } = [];
 
     /// <summary>Over the scenes, for each tolerance of the tubes.</summary>
@@ -18,13 +22,16 @@ sealed class TubeResult
     /// <summary>Over the scenes, for each number of uniform rays.</summary>
     public IEnumerable<TubeMean> UniformMeans => Means(scene => scene.Uniform);
 
+    /// <summary>Of poses that are traced together; null if none are.</summary>
+    public TubeMean TogetherMean => PosesTogether > 1 ? Means(scene => [scene.Together]).Single() : null;
+
     /// <summary>
     /// What uniform rays take to the goal for each of what tubes take: geometric mean over the scenes in which they reach it.
     /// NaN if there are none.
     /// </summary>
-    public double RatioAtGoal(Func<TubeRow, double> value) =>
+    public double RatioAtGoal(Func<TubeScene, TubeRow> tubesOf, Func<TubeRow, double> value) =>
         new Series(Scenes.Where(scene => scene.FewestUniform != null)
-            .Select(scene => value(scene.FewestUniform) / value(scene.TubesAtGoal))).GeometricMean;
+            .Select(scene => value(scene.FewestUniform) / value(tubesOf(scene)))).GeometricMean;
 
     IEnumerable<TubeMean> Means(Func<TubeScene, IReadOnlyList<TubeRow>> rowsOf) =>
         Enumerable.Range(0, rowsOf(Scenes[0]).Count).Select(i =>

@@ -21,6 +21,12 @@ sealed class TubeScene(AccuracyScene scene, Complex converged, double uncertaint
     /// <summary>Ray tubes, in descending tolerance.</summary>
     public List<TubeRow> Tubes { get; } = [];
 
+    /// <summary>
+    /// Of poses that are traced together, asked for the goal: times of each, and the result of the first; null on a device
+    /// that one pose fills.
+    /// </summary>
+    public TubeRow Together { get; set; }
+
     /// <summary>Uniform rays, in ascending number.</summary>
     public List<TubeRow> Uniform { get; } = [];
 

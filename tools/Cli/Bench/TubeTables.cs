@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Spectre.Console;
@@ -22,14 +23,22 @@ sealed class TubeTables(Terminal terminal)
             $"Ray tubes to {TubeScene.Goal:0 %}, beside the fewest uniform rays that reach it (*: none does; the most traced)");
         foreach (string line in _text.Lines(AtTheGoal(result)))
             yield return line;
-        double rays = result.RatioAtGoal(row => row.Rays), time = result.RatioAtGoal(row => row.Times.Median),
-            kernels = result.RatioAtGoal(row => row.KernelTimes.Median);
+        double rays = result.RatioAtGoal(scene => scene.TubesAtGoal, row => row.Rays);
         if (double.IsNaN(rays))
             yield break;
         yield return "";
-        string ofKernels = double.IsNaN(kernels) ? "" : Text($", {kernels:0.00} times that of the kernels");
-        yield return Text(
-            $"Where uniform rays reach it, they take {rays:0.0} times the rays and {time:0.00} times the time{ofKernels} (geometric means)");
+        yield return Text($"Where uniform rays reach it, they take {rays:0.0} times the rays and ")
+            + TimesOf(result, scene => scene.TubesAtGoal) + " (geometric means)";
+        if (result.PosesTogether > 1)
+            yield return $"Of {result.PosesTogether} poses of tubes together, they take " + TimesOf(result, scene => scene.Together);
+    }
+
+    static string TimesOf(TubeResult result, Func<TubeScene, TubeRow> tubesOf)
+    {
+        double time = result.RatioAtGoal(tubesOf, row => row.Times.Median),
+            kernels = result.RatioAtGoal(tubesOf, row => row.KernelTimes.Median);
+        return Text($"{time:0.00} times the time")
+            + (double.IsNaN(kernels) ? "" : Text($", {kernels:0.00} times that of the kernels"));
     }
 
     Table Means(TubeResult result)
@@ -39,6 +48,8 @@ sealed class TubeTables(Terminal terminal)
             Text($"{100 * mean.Error:0.00}"), Text($"{100 * mean.LargestError:0.00}")));
         foreach (var (tolerance, mean) in TubeBench.Tolerances.Zip(result.TubeMeans))
             Add(Text($"tubes, {100 * tolerance} %"), mean);
+        if (result.PosesTogether > 1)
+            Add(Text($"tubes, {100 * TubeScene.Goal} %, {result.PosesTogether} poses together"), result.TogetherMean);
         foreach (var (across, mean) in AccuracyBench.Across.Zip(result.UniformMeans))
             Add(Text($"uniform, {across} x {AccuracyBench.SettingsOf(across).RaysDown}"), mean);
         return table;

@@ -78,7 +78,7 @@ sealed class ExperimentRuns(IProgressSink progress)
         using var run = new SweepRun(
             new SweepSetup(loaded.Radar, plan) { Target = loaded.Target, Sea = sea, Scene = loaded.Scene })
         {
-            Overlaps = true
+            PosesAhead = int.MaxValue
         };
         var rows = new List<SweepRow>();
         progress.Start(title, run.Count);

@@ -76,7 +76,7 @@ namespace Glint.Editor
                     setup.Command = ArgumentsOf(line);
                     using (var run = new SweepRun(setup, folder, line.Get(Options.Shard), line.Get(Options.Resume))
                     {
-                        Overlaps = true
+                        PosesAhead = int.MaxValue
                     })
                         return Trace(run, loaded, folder, plan, progress);
                 }

@@ -39,7 +39,7 @@ namespace Glint.Editor
                 // of the command.
                 _radar.Release();
                 _folder = folder == null ? null : ResultsFolder.Open(folder);
-                _run = new SweepRun(setup, _folder, null, resume) { Overlaps = true };
+                _run = new SweepRun(setup, _folder, null, resume) { PosesAhead = 1 };
             }
             catch
             {

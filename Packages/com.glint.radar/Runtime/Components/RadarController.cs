@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Linq;
 using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
@@ -96,7 +97,7 @@ namespace Glint
         RayTracer _tracer;
         AmplitudeTracer _amplitudes;
         CrossSectionTracer _crossSections; // of scenes with a sea that has clutter
-        PoseInFlight _pending; // of ray tubes, which are traced when the pose is finished
+        readonly List<PoseInFlight> _pending = new List<PoseInFlight>(); // of ray tubes: the first one finished traces all
         RadarPose _traced;
         ulong _tracedContent;
 
@@ -245,7 +246,7 @@ namespace Glint
             // Before the scene is gathered, which may take long.
             var settings = Describe().Settings;
             if (settings.ToleranceDb > 0)
-                _amplitudes ??= new AmplitudeTracer(_tubeKernel, Subject);
+                AmplitudeTracer.Check(_tubeKernel, Subject);
             else
             {
                 _tracer ??= new RayTracer(_kernel, Subject);
@@ -272,9 +273,7 @@ namespace Glint
         internal RadarResult FinishTrace(PoseInFlight inFlight, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
-            bool isOfTubes = inFlight == _pending;
-            _pending = null;
-            var result = isOfTubes ? _amplitudes.Trace(inFlight.Pose, progress, cancel, inFlight.Statistics)
+            var result = _pending.Contains(inFlight) ? FinishTubes(inFlight, progress, cancel)
                 : _tracer.Finish(inFlight, progress, cancel);
             if (inFlight.Pose.Scene.Seas.Count > 0)
             {
@@ -291,25 +290,50 @@ namespace Glint
             return result;
         }
 
+        // Traces it with all others that were started, which it does not depend on.
+        RadarResult FinishTubes(PoseInFlight inFlight, IProgress<double> progress, CancellationToken cancel)
+        {
+            try
+            {
+                if (inFlight.Result == null)
+                {
+                    var together = _pending.Where(pose => pose.Result == null).ToArray();
+                    var results = Tubes.Trace(Array.ConvertAll(together, pose => pose.Pose), progress, cancel,
+                        Array.ConvertAll(together, pose => pose.Statistics));
+                    for (int i = 0; i < together.Length; i++)
+                        together[i].Result = results[i];
+                }
+                return inFlight.Result;
+            }
+            finally
+            {
+                _pending.Remove(inFlight);
+            }
+        }
+
         /// <summary>Gives up a pose that will not be finished; may be null.</summary>
         internal void Abandon(PoseInFlight inFlight)
         {
-            if (inFlight == _pending)
-                _pending = null;
-            else
+            if (!_pending.Remove(inFlight))
                 _tracer?.Abandon(inFlight);
         }
 
         /// <summary>Whether a pose was started and its buffers were not released since.</summary>
         internal bool IsInFlight(PoseInFlight inFlight) => inFlight != null
-            && (inFlight == _pending || _tracer != null && _tracer.IsInFlight(inFlight));
+            && (_pending.Contains(inFlight) || _tracer != null && _tracer.IsInFlight(inFlight));
 
         /// <summary>
-        /// Whether the next pose may start before this one is finished. A script that listens to <see cref="Traced"/>
-        /// finds the scene as it was traced, and so do ray paths that are shown.
+        /// Whether the next pose may start before this one is finished, beside others that were started. A script that
+        /// listens to <see cref="Traced"/> finds the scene as it was traced, and so do ray paths that are shown.
         /// </summary>
-        internal bool MayOverlap(PoseInFlight inFlight) => inFlight != _pending
-            && Traced == null && (Paths == null || !Paths.NeedsScene) && _tracer.MayOverlap(inFlight);
+        /// <param name="started">This one and the others.</param>
+        internal bool MayOverlap(PoseInFlight inFlight, int started) =>
+            Traced == null && (Paths == null || !Paths.NeedsScene) && (_pending.Contains(inFlight)
+                ? inFlight.Result == null && started < Tubes.PosesTogether
+                : started == 1 && _tracer.MayOverlap(inFlight));
+
+        /// <summary>Traces poses that have a tolerance.</summary>
+        internal AmplitudeTracer Tubes => _amplitudes ??= new AmplitudeTracer(_tubeKernel, Subject);
 
         /// <summary>Draws the rays of each pose; null: no component does.</summary>
         internal RayPaths Paths { get; set; }
@@ -446,7 +470,8 @@ namespace Glint
             _tracer?.Dispose();
             _amplitudes?.Dispose();
             _crossSections?.Dispose();
-            (_tracer, _amplitudes, _crossSections, _pending) = (null, null, null, null);
+            _pending.Clear();
+            (_tracer, _amplitudes, _crossSections) = (null, null, null);
         }
 
         /// <summary>Name in messages.</summary>
@@ -483,7 +508,11 @@ namespace Glint
                 Timings = new Timings { GatherMs = watch.Elapsed.TotalMilliseconds }
             };
             if (pose.Settings.ToleranceDb > 0)
-                return _pending = new PoseInFlight { Pose = pose, Readback = readback, Statistics = statistics };
+            {
+                var inFlight = new PoseInFlight { Pose = pose, Readback = readback, Statistics = statistics };
+                _pending.Add(inFlight);
+                return inFlight;
+            }
             _tracer.CountVisits = CountVisits;
             return _tracer.Start(pose, readback, cancel, statistics);
         }

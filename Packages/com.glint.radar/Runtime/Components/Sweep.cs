@@ -163,7 +163,7 @@ namespace Glint
             _run = new SweepRun(
                 new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder)
             {
-                Overlaps = true
+                PosesAhead = 1
             };
             (Poses, ResultsPath) = (plan.Count, folder.FolderPath);
             _progress.Start(scene, plan.Count);

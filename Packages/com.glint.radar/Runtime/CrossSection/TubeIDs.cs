@@ -66,6 +66,7 @@ namespace Glint
         public static readonly int _Parts = Shader.PropertyToID("_Parts");
         public static readonly int _Revealed = Shader.PropertyToID("_Revealed");
         public static readonly int _WrittenRevealed = Shader.PropertyToID("_WrittenRevealed");
+        public static readonly int _RevealedWords = Shader.PropertyToID("_RevealedWords");
         public static readonly int _RevealedByNow = Shader.PropertyToID("_RevealedByNow");
         public static readonly int _BeginningCount = Shader.PropertyToID("_BeginningCount");
         public static readonly int _Beginning = Shader.PropertyToID("_Beginning");

@@ -28,8 +28,8 @@ namespace Glint
         // 64 MB.
         const int MaxSideLinks = 1 << 22;
 
-        /// <summary>Cells into which one is divided, and their corners: BLOCK_CELLS, BLOCK_CORNERS.</summary>
-        public const int BlockCells = 4, BlockCorners = 9;
+        /// <summary>Cells into which one is divided, their corners, and the new ones: BLOCK_, NEW_CORNERS.</summary>
+        public const int BlockCells = 4, BlockCorners = 9, NewCorners = 5;
 
         /// <summary>Lists that a corner of a patch is in: VERTEX_LINKS.</summary>
         public const int VertexLinks = 4;
@@ -62,7 +62,7 @@ namespace Glint
         {
             _shader = shader;
             _rays = new TubeRounds.RayKernels(shader);
-            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders", _rays);
+            _rounds = new TubeRounds(shader, "TubeCorners", "TubeCells", "TubeBorders", _rays);
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
             _outlines = shader.FindKernel("MarkOutlines");
@@ -235,9 +235,9 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._WrittenLinks, links.Buffer);
             foreach (int kernel in new[] { _outlines, _cells, _rays.Outlines })
                 _shader.SetBuffer(kernel, TubeIDs._Sides, surfaces.Sides.Buffer);
-            foreach (int kernel in new[] { _rays.Corners, _cells, _rays.Outlines, _rays.Centres, _points })
+            foreach (int kernel in new[] { _rounds.Corners, _cells, _rays.Outlines, _rays.Centres, _points })
                 _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
-            foreach (int kernel in new[] { _rays.Corners, _cells, _rays.Outlines, _rays.Centres })
+            foreach (int kernel in new[] { _rounds.Corners, _cells, _rays.Outlines, _rays.Centres })
                 _shader.SetBuffer(kernel, TubeIDs._Links, links.Buffer);
             _shader.DispatchThreads(_clearMarks, (long)poses * markWords);
             _shader.DispatchThreads(_mark, (long)poses * surfaces.VertexCount);
@@ -248,6 +248,7 @@ namespace Glint
         /// <summary>Sets the cells that earlier attempts have revealed, and those with this attempt.</summary>
         public void SetRevealed(DeviceBuffer<uint> revealed, DeviceBuffer<uint> byNow)
         {
+            _shader.SetInt(TubeIDs._RevealedWords, RevealedWords);
             foreach (int kernel in new[] { _cells, _rays.Centres })
                 _shader.SetBuffer(kernel, TubeIDs._Revealed, revealed.Buffer);
             _shader.SetBuffer(_takeRevealed, TubeIDs._WrittenRevealed, revealed.Buffer);

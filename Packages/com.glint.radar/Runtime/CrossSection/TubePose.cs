@@ -23,21 +23,28 @@ namespace Glint
         /// <param name="blocks">Of the cover.</param>
         public TubePose(CrossSectionPose pose, TubeGrid grid, int2 blocks)
         {
-            this = default;
-            var rays = grid.Rays;
-            (Origin, OriginDx, OriginDy) = (RowOf(rays.Origin), RowOf(rays.OriginDx), RowOf(rays.OriginDy));
-            (Direction, DirectionDx, DirectionDy) =
-                (RowOf(rays.Direction), RowOf(rays.DirectionDx), RowOf(rays.DirectionDy));
+            this = new TubePose(grid.Rays, grid.Cells);
             (SentV, CrossWeight, SentH) = ((float3)pose.Radar.Up, 1, RowOf(pose.Radar.Right));
             var toCell = grid.ToCell();
             GridX = RowOf(toCell[0].Vector, toCell[0].Constant);
             GridY = RowOf(toCell[1].Vector, toCell[1].Constant);
             GridDepth = RowOf(toCell[2].Vector, toCell[2].Constant);
+            Blocks = (uint2)blocks;
+            RadarPhase = (float)grid.RadarPhaseOf(pose);
+        }
+
+        /// <summary>What an amplitude needs of it.</summary>
+        /// <param name="cells">Base cells of the grid.</param>
+        public TubePose(RayGrid rays, int2 cells)
+        {
+            this = default;
+            (Origin, OriginDx, OriginDy) = (RowOf(rays.Origin), RowOf(rays.OriginDx), RowOf(rays.OriginDy));
+            (Direction, DirectionDx, DirectionDy) =
+                (RowOf(rays.Direction), RowOf(rays.DirectionDx), RowOf(rays.DirectionDy));
             Slice.z = 1;
-            (Cells, Blocks) = ((uint2)grid.Cells, (uint2)blocks);
+            Cells = (uint2)cells;
             Reference = new float2(rays.ReferencePixel.x, rays.ReferencePixel.y);
             OriginDepth = (float)rays.OriginDepth;
-            RadarPhase = (float)grid.RadarPhaseOf(pose);
         }
 
         /// <summary>A row of a vector and a number.</summary>

@@ -11,30 +11,29 @@ namespace Glint
     sealed class TubeRounds : IDisposable
     {
         /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
-        public const int ArgumentWords = 27;
+        public const int ArgumentWords = 33;
 
         /// <inheritdoc cref="ArgumentWords"/>
         public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36,
-            CornerArguments = 48, CentreArguments = 60, OutlineArguments = 72, WholeArguments = 84, ChangeArguments = 96;
+            CornerArguments = 48, CentreArguments = 60, OutlineArguments = 72, WholeArguments = 84, ChangeArguments = 96,
+            BorderRayArguments = 108, NewCornerArguments = 120;
 
         // Rays that a thread traces at most: a software device ends a thread's loops after 65,535 iterations in all.
         readonly int _raysAThread = SoftwareDevice.IsInUse ? 4 : 32;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums;
+        readonly int _clear, _corners, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums;
         readonly RayKernels _rays;
+        readonly int? _borderRays;
         int _summing;                      // _sums or another kernel
         TubeLists _lists;
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
 
-        /// <summary>Kernels that trace rays before and after that of the cells.</summary>
+        /// <summary>Kernels beside that of the cells, which traces no rays then.</summary>
         public sealed class RayKernels
         {
-            /// <summary>Before: those through the corners of cells.</summary>
-            public readonly int Corners;
-
-            /// <summary>Then that of sides of divided cells, which traces none.</summary>
+            /// <summary>Before it, that of sides of divided cells, which traces none either.</summary>
             public readonly int Reveals;
 
             /// <summary>After: groups for those that the kernel of the cells has listed.</summary>
@@ -50,7 +49,6 @@ namespace Glint
 
             public RayKernels(ComputeShader shader)
             {
-                Corners = shader.FindKernel("TubeCorners");
                 Reveals = shader.FindKernel("TubeReveals");
                 Prepare = shader.FindKernel("PrepareRays");
                 Outlines = shader.FindKernel("TubeOutlines");
@@ -60,13 +58,17 @@ namespace Glint
             }
         }
 
+        /// <param name="corners">Name of the kernel that traces the rays through the corners of cells.</param>
         /// <param name="cells">Name of the kernel that takes a thread for a cell.</param>
-        /// <param name="borders">Name of the kernel that takes a thread for a border cell.</param>
+        /// <param name="borders">Name of the kernel of border cells.</param>
         /// <param name="rays">Null: the kernel of the cells traces their rays.</param>
-        public TubeRounds(ComputeShader shader, string cells, string borders, RayKernels rays = null)
+        /// <param name="borderRays">Name of the kernel that traces those of border cells; null: their own kernel does.</param>
+        public TubeRounds(ComputeShader shader, string corners, string cells, string borders, RayKernels rays = null,
+            string borderRays = null)
         {
             (_shader, _rays) = (shader, rays);
             _clear = shader.FindKernel("ClearTubes");
+            _corners = shader.FindKernel(corners);
             _cells = shader.FindKernel(cells);
             _prepareBorders = shader.FindKernel("PrepareBorders");
             _bisect = shader.FindKernel("TubeBisect");
@@ -74,21 +76,29 @@ namespace Glint
             _prepareCells = shader.FindKernel("PrepareCells");
             _sums = shader.FindKernel("TubeSums");
             _summing = _sums;
-            Kernels = new[] { _cells, _bisect, _borders };
+            Kernels = new[] { _corners, _cells, _bisect, _borders };
+            if (borderRays != null)
+            {
+                _borderRays = shader.FindKernel(borderRays);
+                Kernels = Kernels.Append(_borderRays.Value).ToArray();
+            }
             if (rays != null)
                 Kernels = Kernels.Concat(new[]
                 {
-                    rays.Corners, rays.Reveals, rays.Outlines, rays.Centres, rays.Wholes, rays.Changes
+                    rays.Reveals, rays.Outlines, rays.Centres, rays.Wholes, rays.Changes
                 }).ToArray();
         }
 
         /// <summary>Whether currents change along tubes: at a finite range.</summary>
         public bool FindsChanges { get; set; }
 
+        /// <summary>The kernel of corners.</summary>
+        public int Corners => _corners;
+
         /// <summary>The kernel TubeSums.</summary>
         public int Summing => _sums;
 
-        /// <summary>The kernels of cells, borders and rays.</summary>
+        /// <summary>The kernels of corners, cells, borders and rays.</summary>
         public int[] Kernels { get; }
 
         /// <summary>Sums tubes by another kernel; null: by TubeSums.</summary>
@@ -129,19 +139,16 @@ namespace Glint
 
         /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
         /// <param name="count">Of the base cells.</param>
-        /// <param name="corners">Of their corners, if a kernel takes them.</param>
+        /// <param name="corners">Of their corners.</param>
         /// <param name="bisections">Of the sides of a base cell at most.</param>
         public void Trace(int count, int corners, int rounds, int bisections)
         {
             for (int round = 0; round < rounds; round++)
             {
                 SetRound(round);
-                if (_rays != null)
-                {
-                    Dispatch(_rays.Corners, round, corners, CornerArguments);
-                    if (round > 0)
-                        _shader.DispatchIndirect(_rays.Reveals, _arguments, CellArguments);
-                }
+                Dispatch(_corners, round, corners, _rays != null ? CornerArguments : NewCornerArguments);
+                if (_rays != null && round > 0)
+                    _shader.DispatchIndirect(_rays.Reveals, _arguments, CellArguments);
                 Dispatch(_cells, round, count, CellArguments);
                 if (_rays != null)
                 {
@@ -155,6 +162,8 @@ namespace Glint
                     _shader.SetInts(TubeIDs._BisectSteps, step, step + _raysAThread);
                     _shader.DispatchIndirect(_bisect, _arguments, BisectArguments);
                 }
+                if (_borderRays is int borderRays)
+                    _shader.DispatchIndirect(borderRays, _arguments, BorderRayArguments);
                 _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
                 if (_rays != null)
                     _shader.DispatchIndirect(_rays.Wholes, _arguments, WholeArguments);

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
 using Glint.Core;
@@ -18,7 +19,7 @@ namespace Glint
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
         SweepIdentity _identity;
-        PoseInFlight _current; // started by the step before
+        readonly List<PoseInFlight> _started = new List<PoseInFlight>(); // the pose of the next step, and those after it
 
         /// <summary>
         /// Begins or resumes a sweep; nothing is traced before the first <see cref="Step"/>.
@@ -61,11 +62,12 @@ namespace Glint
         public int Done { get; private set; }
 
         /// <summary>
-        /// Whether the next pose is gathered, and given to the device, before the row of the current one is made. The
-        /// sweep is faster, and after a <see cref="Step"/> the scene shows the next pose. Poses do not overlap while a
-        /// script listens to <see cref="RadarController.Traced"/>, or when single rays are kept.
+        /// Poses that are gathered before the row of the current one is made, at most: one is given to the device; with a
+        /// tolerance as many as a GPU traces together. The sweep is faster, and after a <see cref="Step"/> the scene shows
+        /// one of them. Poses do not overlap while a script listens to <see cref="RadarController.Traced"/>, or when single
+        /// rays are kept.
         /// </summary>
-        public bool Overlaps { get; set; }
+        public int PosesAhead { get; set; }
 
         /// <summary>When the row of the last pose was written, since the run began.</summary>
         public TimeSpan RowWritten { get; private set; }
@@ -90,18 +92,20 @@ namespace Glint
             RayReadback readback = RayReadback.None)
         {
             var radar = _setup.Radar;
-            bool isStarted = radar.IsInFlight(_current) && _current.Readback == readback;
+            bool isStarted = _started.Count > 0 && radar.IsInFlight(_started[0]) && _started[0].Readback == readback;
             if (!isStarted)
             {
-                radar.Abandon(_current);
-                _current = Start(0, readback, cancel);
+                Abandon();
+                Start(readback, cancel);
             }
-            bool overlaps = Overlaps && radar.MayOverlap(_current) && Done + 1 < Count;
-            var next = overlaps ? StartNext(cancel) : null;
+            while (_started.Count <= PosesAhead && Done + _started.Count < Count
+                && radar.MayOverlap(_started[0], _started.Count) && StartsNext(cancel))
+            {
+            }
             SweepRow row;
             try
             {
-                row = new SweepRow(_setup.Plan[_first + Done], radar.FinishTrace(_current, progress, cancel));
+                row = new SweepRow(_setup.Plan[_first + Done], radar.FinishTrace(_started[0], progress, cancel));
                 var begin = _watch.Elapsed;
                 _folder?.Append(row);
                 RowWritten = _watch.Elapsed;
@@ -110,11 +114,11 @@ namespace Glint
             catch
             {
                 // The step that follows starts this pose anew.
-                radar.Abandon(next);
+                Abandon();
                 throw;
             }
             Done++;
-            _current = next;
+            _started.RemoveAt(0);
             if (IsComplete)
                 WriteJson();
             return row;
@@ -123,28 +127,36 @@ namespace Glint
         /// <summary>Closes results.csv and restores the scene.</summary>
         public void Dispose()
         {
-            _setup.Radar.Abandon(_current);
+            Abandon();
             _folder?.Dispose();
             _motions.Dispose();
         }
 
-        PoseInFlight Start(int ahead, RayReadback readback, CancellationToken cancel)
+        void Start(RayReadback readback, CancellationToken cancel)
         {
-            _motions.Show(_setup.Plan[_first + Done + ahead]);
-            return _setup.Radar.StartTrace(readback, cancel);
+            _motions.Show(_setup.Plan[_first + Done + _started.Count]);
+            _started.Add(_setup.Radar.StartTrace(readback, cancel));
         }
 
-        // Null if the next pose cannot start: its own step says why, after the current row is written.
-        PoseInFlight StartNext(CancellationToken cancel)
+        // False if the next pose cannot start: its own step says why, after the current row is written.
+        bool StartsNext(CancellationToken cancel)
         {
             try
             {
-                return Start(1, RayReadback.None, cancel);
+                Start(RayReadback.None, cancel);
+                return true;
             }
             catch (Exception problem) when (problem is GlintException || problem is OperationCanceledException)
             {
-                return null;
+                return false;
             }
+        }
+
+        void Abandon()
+        {
+            foreach (var pose in _started)
+                _setup.Radar.Abandon(pose);
+            _started.Clear();
         }
 
         void Begin(SweepIdentity identity, SweepShard? shard, bool resume)

@@ -1,7 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
-using System.Numerics;
 using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
@@ -21,32 +21,13 @@ namespace Glint
         /// </summary>
         public const double Floor = 0.1;
 
-        const int PointCapacity = 1 << 20;
+        // Elements of the lists, and points, for each pose, and at least: slices whose lists become full are traced again in
+        // parts. They take 50 MB a pose, with the parts of cells.
+        const int ElementsAPose = 1 << 16, MinElements = 1 << 18, PointsAPose = 1 << 17, MinPoints = 1 << 20;
 
-        // A border is found to 2^-level of a base cell: at first, and at most, where float32 has no more places.
-        const int FirstBisectLevel = 10, MaxBisectLevel = 14;
-
-        // Maximum relative error of a cell that is not divided, times 2^level.
-        const double CellError = 0.2;
-
-        // Cells of which nothing is received are divided up to this level where something may be hidden in them, in the
-        // first attempt; in each later one that needs it to the next level.
-        const int FirstEmptyLevel = 4;
-
-        // Attempts to find everything, after which the tolerance is not met.
-        const int MaxAttempts = 8;
-
-        // Error by something that a neighbour has found on a side of a cell: a third of a cell of the third level.
-        const double RevealedError = 0.3 / 64;
-
-        // Units of the sums, per area of a base cell and per its square.
-        const double UnitsPerCell = 1 << 24, UnitsPerSquare = 1L << 44;
-
-        // Words of the output, of 64 bits but for the first: Shaders/TubeBindings.hlsl.
-        internal const int RevealedCount = 14, Hits = 16, Bounces = 18, Received = 20, Lengths = 22;
-        internal const double LengthUnits = 256;
-        const int InPhase = TubeKernels.FirstSum, Bent = InPhase + 2 * TubeSums.Bent, Border = InPhase + 2 * TubeSums.Border,
-            TooLarge = InPhase + TubeSums.TooLarge;
+        // Poses that are traced together: one for each of these mebibytes of the GPU's memory, up to a number at which
+        // dispatches are long enough.
+        const int MebibytesAPose = 512, MaxPoses = 64;
 
         readonly string _owner;
         readonly AmplitudeKernels _kernels;
@@ -54,10 +35,10 @@ namespace Glint
         readonly SurfaceBuffers _surfaces = new SurfaceBuffers();
         readonly TubeLists _lists = new TubeLists();
         readonly DeviceBuffer<uint> _points = new DeviceBuffer<uint>("words of points");
+        readonly DeviceBuffer<BorderRay> _borderRays = new DeviceBuffer<BorderRay>("rays of border cells");
         readonly DeviceBuffer<uint> _revealed = new DeviceBuffer<uint>("parts of cells");
         readonly DeviceBuffer<uint> _revealedByNow = new DeviceBuffer<uint>("parts of cells");
         readonly DispatchPacer _pacer = new DispatchPacer();
-        uint[] _revealedWords;
 
         /// <param name="shader">Shaders/Amplitude.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
@@ -79,49 +60,152 @@ namespace Glint
                     + "Packages/com.glint.radar/Shaders/Amplitude.compute to Tube Kernel");
         }
 
+        /// <summary>
+        /// Poses that are traced together at most: several on a GPU, which a single one does not fill.
+        /// </summary>
+        public int PosesTogether { get; internal set; } = SoftwareDevice.IsInUse ? 1
+            : math.clamp(SystemInfo.graphicsMemorySize / MebibytesAPose, 1, MaxPoses);
+
         /// <summary>Rows of base cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int RowsADispatch { get; set; }
 
-        /// <summary>Tubes, cells of a round and border cells of a dispatch, for tests; before the first pose.</summary>
-        internal int ListCapacity { get; set; } = 1 << 18;
+        /// <summary>Tubes, cells of a round and border cells of a dispatch, for tests; 0: by the poses.</summary>
+        internal int ListCapacity { get; set; }
 
         /// <summary>Traces one pose to the tolerance of its settings.</summary>
+        /// <param name="statistics">Figures of the gathering, to which those of the trace are added.</param>
+        /// <inheritdoc cref="Trace(IReadOnlyList{RadarPose}, IProgress{double}, CancellationToken, IReadOnlyList{TraceStatistics})"/>
+        public RadarResult Trace(in RadarPose pose, IProgress<double> progress = null,
+            CancellationToken cancel = default, TraceStatistics statistics = null) =>
+            Trace(new[] { pose }, progress, cancel, statistics == null ? null : new[] { statistics })[0];
+
+        /// <summary>
+        /// Traces poses to the tolerance of their settings, those in a row that differ in places and views alone together.
+        /// The results are those of single poses, bit for bit.
+        /// </summary>
         /// <param name="progress">Receives the fraction done, 0 to 1, of each attempt.</param>
         /// <param name="cancel">Cancels while BVHs are built, or after the current slice.</param>
-        /// <param name="statistics">Figures of the gathering, to which those of the trace are added.</param>
+        /// <param name="statistics">Figures of the gathering of each pose, to which those of the trace are added.</param>
         /// <returns>
-        /// A result whose rays are those traced. <see cref="RadarResult.SamplingError"/> is the standard error of the
+        /// Results whose rays are those traced. <see cref="RadarResult.SamplingError"/> is the standard error of the
         /// integration, and <see cref="RadarResult.Undersampled"/> is true if the tolerance was not met.
         /// </returns>
         /// <exception cref="GlintException">A setting is out of its range, or the memory does not suffice.</exception>
-        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
-        public RadarResult Trace(in RadarPose pose, IProgress<double> progress = null,
-            CancellationToken cancel = default, TraceStatistics statistics = null)
+        /// <exception cref="OperationCanceledException">The poses were cancelled.</exception>
+        public RadarResult[] Trace(IReadOnlyList<RadarPose> poses, IProgress<double> progress = null,
+            CancellationToken cancel = default, IReadOnlyList<TraceStatistics> statistics = null)
+        {
+            foreach (var pose in poses)
+            {
+                pose.Settings.Validate(_owner);
+                pose.View.Validate(_owner);
+            }
+            statistics ??= poses.Select(pose => new TraceStatistics()).ToArray();
+            var results = new List<RadarResult>();
+            while (results.Count < poses.Count)
+            {
+                int first = results.Count;
+                var alike = poses.Skip(first).Take(PosesTogether).TakeWhile(pose => AreAlike(poses[first], pose)).ToArray();
+                results.AddRange(TraceTogether(alike, statistics.Skip(first).Take(alike.Length).ToArray(), progress, cancel));
+            }
+            return results.ToArray();
+        }
+
+        // Whether poses differ in nothing but the places of instances, the view and the picture.
+        static bool AreAlike(in RadarPose a, in RadarPose b)
+        {
+            var (instances, others) = (a.Scene.Instances, b.Scene.Instances);
+            return a.Settings.MaxBounces == b.Settings.MaxBounces && a.Settings.FrequencyHz == b.Settings.FrequencyHz
+                && instances.Length == others.Length && Enumerable.Range(0, instances.Length).All(i =>
+                    instances[i].Mesh == others[i].Mesh && instances[i].Ranges.SequenceEqual(others[i].Ranges));
+        }
+
+        IEnumerable<RadarResult> TraceTogether(RadarPose[] poses, TraceStatistics[] statistics, IProgress<double> progress,
+            CancellationToken cancel)
         {
             var watch = Stopwatch.StartNew();
-            statistics ??= new TraceStatistics();
-            pose.Settings.Validate(_owner);
-            pose.View.Validate(_owner);
-            statistics.Triangles = pose.Scene.TriangleCount;
-            _scene.Set(pose.Scene, statistics, (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
-            var integral = new AmplitudeSums();
-            bool isMet = true;
-            double scale = 0, turns = 0;
-            var grid = _scene.IsEmpty ? null : new AmplitudeGrid(pose.Settings, pose.View, _scene.Min, _scene.Max);
-            if (grid != null && math.all(grid.Count > 0))
+            _scene.Set(Array.ConvertAll(poses, pose => pose.Scene), statistics[0],
+                (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
+            var jobs = poses.Zip(_scene.Placed, (pose, placed) => new AmplitudeJob(pose, placed.Min, placed.Max)).ToArray();
+            if (jobs.Any(job => !job.IsDone))
             {
-                var rays = Bind(pose, grid);
-                integral.OriginDepth = rays.OriginDepth;
-                turns = (rays.OriginDepth + AmplitudeKernels.ReceiverDepth(pose.View, rays)) / pose.Settings.Wavelength;
-                scale = grid.Step.x * grid.Step.y;
-                isMet = TraceToTolerance(pose, grid, integral, progress, cancel);
+                Bind(jobs);
+                TraceJobs(jobs, progress, cancel);
             }
-            var timings = statistics.Timings;
-            timings.TraceMs = watch.Elapsed.TotalMilliseconds;
-            statistics.Timings = timings;
-            double error = scale * integral.Error * RadarResult.NormalRays / pose.Settings.RayCount;
-            return new RadarResult(integral.ToSums(pose, scale, turns), new SamplingReport(error, null, !isMet), null,
-                statistics);
+            for (int i = 0; i < jobs.Length; i++)
+            {
+                statistics[i].Triangles = poses[i].Scene.TriangleCount;
+                var timings = statistics[i].Timings;
+                timings.TraceMs = watch.Elapsed.TotalMilliseconds / jobs.Length;
+                statistics[i].Timings = timings;
+            }
+            return jobs.Zip(statistics, (job, figures) => job.ToResult(figures));
+        }
+
+        void Bind(AmplitudeJob[] jobs)
+        {
+            _scene.RequireOnePage(_owner, "ray tubes take", ", or leave the tolerance out");
+            var pose = jobs[0].Pose;
+            // Facets of one plane are one mirror.
+            _surfaces.Set(pose.Scene, _scene.Centre, 0, pose.Settings.FrequencyHz);
+            var waveNumber = TubeLists.WaveNumber(pose.Settings.FrequencyHz);
+            int capacity = ListCapacity > 0 ? ListCapacity : Math.Max(MinElements, jobs.Length * ElementsAPose),
+                points = Math.Max(MinPoints, jobs.Length * PointsAPose);
+            _kernels.SetScenes(_scene, _surfaces);
+            _kernels.SetPoses(jobs, _scene, waveNumber.x);
+            _lists.Reserve(AmplitudeSums.OutputSize(jobs.Length), capacity, capacity, new[] { waveNumber });
+            _points.Reserve((long)points * AmplitudeKernels.PointWords(pose.Settings.MaxBounces));
+            _kernels.Rounds.SetLists(_lists);
+            _borderRays.Reserve((long)AmplitudeKernels.BorderRays * capacity);
+            _kernels.SetPoints(_points, points, _borderRays);
+            int words = jobs.Max(AmplitudeKernels.RevealedWordsOf);
+            _revealed.Reserve((long)jobs.Length * words);
+            _revealedByNow.Reserve((long)jobs.Length * words);
+            _kernels.SetRevealed(_revealed, _revealedByNow, words);
+        }
+
+        // Traces rows of all poses, slice by slice, until each pose meets its tolerance or has made its last attempt.
+        void TraceJobs(AmplitudeJob[] jobs, IProgress<double> progress, CancellationToken cancel)
+        {
+            var read = new uint[AmplitudeSums.OutputSize(jobs.Length)];
+            int max = int.MaxValue;
+            while (jobs.Any(job => !job.IsDone))
+            {
+                cancel.ThrowIfCancellationRequested();
+                int left = Math.Min(max, jobs.Sum(job => job.RowsLeft));
+                int count = RowsADispatch > 0 ? Math.Min(left, RowsADispatch)
+                    : _pacer.NextTiles(left, jobs[0].Pose.Settings.MaxBounces);
+                var rows = RowsOf(jobs, count);
+                var watch = Stopwatch.StartNew();
+                _kernels.Rounds.Clear(read.Length);
+                _kernels.Trace(jobs, rows);
+                _lists.Output.ReadBack(read, read.Length);
+                _pacer.Took(count, watch.Elapsed.TotalSeconds);
+                // A list was full: the slice is traced again in parts.
+                bool hasOverflown = TubeSums.HasOverflown(read);
+                if (hasOverflown && count == 1)
+                    throw new GlintException($"{_owner}: one row of cells has too many parts at this tolerance: "
+                        + "ask for a larger one, or trace a part of the picture");
+                for (int i = 0; i < jobs.Length; i++)
+                    if (rows[i] > 0 && hasOverflown)
+                        jobs[i].AddRevealed(read, i, jobs.Length);
+                    else if (rows[i] > 0)
+                        jobs[i].Took(rows[i], read, i, jobs.Length, _owner);
+                max = hasOverflown ? count / 2 : max;
+                progress?.Report(jobs.Average(job => job.Fraction));
+            }
+        }
+
+        // The next rows of each pose.
+        static int[] RowsOf(AmplitudeJob[] jobs, int count)
+        {
+            var rows = new int[jobs.Length];
+            for (int i = 0; i < jobs.Length; i++)
+            {
+                rows[i] = Math.Min(count, jobs[i].RowsLeft);
+                count -= rows[i];
+            }
+            return rows;
         }
 
         /// <summary>Releases all buffers on the device.</summary>
@@ -132,161 +216,9 @@ namespace Glint
             _surfaces.Dispose();
             _lists.Dispose();
             _points.Dispose();
+            _borderRays.Dispose();
             _revealed.Dispose();
             _revealedByNow.Dispose();
-        }
-
-        // Repeats the trace, with finer borders and more cells, until the tolerance is met; false if it cannot be.
-        bool TraceToTolerance(in RadarPose pose, AmplitudeGrid grid, AmplitudeSums sums, IProgress<double> progress,
-            CancellationToken cancel)
-        {
-            double normalised = grid.Step.x * grid.Step.y * RadarResult.NormalRays / pose.Settings.RayCount;
-            double allowed = Math.Pow(10, pose.Settings.ToleranceDb / 20) - 1;
-            int level = FirstBisectLevel, emptyLevel = FirstEmptyLevel;
-            for (int attempt = 1; ; attempt++)
-            {
-                TraceTo(level, emptyLevel, pose, grid, sums, progress, cancel);
-                double toExcess = CrossSectionAccuracy.Confidence * normalised
-                    / (allowed * Math.Max(Floor, normalised * sums.Sum.Magnitude));
-                if (toExcess * sums.Error <= 1)
-                    return true;
-                if (attempt == MaxAttempts)
-                    return false;
-                if (sums.Revealed > 0)
-                {
-                    _revealedByNow.ReadBack(_revealedWords, _revealedWords.Length);
-                    _revealed.Upload(_revealedWords);
-                }
-                double excess = toExcess * sums.KnownError;
-                if (excess <= 1)
-                    continue;
-                level = Math.Min(MaxBisectLevel, level + Math.Max(1, (int)Math.Ceiling(Math.Log(excess, 2))));
-                emptyLevel++;
-            }
-        }
-
-        RayGrid Bind(in RadarPose pose, AmplitudeGrid grid)
-        {
-            _scene.RequireOnePage(_owner, "ray tubes take", ", or leave the tolerance out");
-            var settings = pose.Settings;
-            // Facets of one plane are one mirror.
-            _surfaces.Set(pose.Scene, _scene.Centre, 0, settings.FrequencyHz);
-            var rays = new RayGrid(settings, pose.View, _scene.Min, _scene.Max);
-            var waveNumber = TubeLists.WaveNumber(settings.FrequencyHz);
-            _kernels.SetScene(_scene, _surfaces);
-            _kernels.SetPose(pose, rays, grid, waveNumber.x);
-            _kernels.SetUnits(UnitsPerCell, UnitsPerSquare);
-            _lists.Reserve(OutputSize, ListCapacity, ListCapacity, new[] { waveNumber });
-            _points.Reserve((long)PointCapacity * AmplitudeKernels.PointWords(settings.MaxBounces));
-            _kernels.Rounds.SetLists(_lists);
-            _kernels.SetPoints(_lists.Output, _points, PointCapacity);
-            _revealedWords = new uint[AmplitudeKernels.RevealedWords * grid.Count.x * grid.Count.y];
-            _revealed.Upload(_revealedWords);
-            _revealedByNow.Upload(_revealedWords);
-            _kernels.SetRevealed(_revealed, _revealedByNow, _revealedWords.Length);
-            return rays;
-        }
-
-        static int OutputSize => TubeKernels.FirstSum + TubeKernels.SumWords;
-
-        // Traces all rows, with borders to a level, slice by slice.
-        void TraceTo(int level, int emptyLevel, in RadarPose pose, AmplitudeGrid grid, AmplitudeSums sums, IProgress<double> progress,
-            CancellationToken cancel)
-        {
-            double cellError = CellError * Math.Pow(2, -level);
-            int maxLevel = (int)Math.Ceiling(-0.5 * Math.Log(cellError, 2));
-            _kernels.SetAccuracy(cellError, maxLevel, level + 1);
-            sums.Clear();
-            var read = new uint[OutputSize];
-            int max = grid.Count.y;
-            for (int first = 0; first < grid.Count.y;)
-            {
-                cancel.ThrowIfCancellationRequested();
-                int left = Math.Min(grid.Count.y - first, max);
-                int rows = RowsADispatch > 0 ? Math.Min(left, RowsADispatch)
-                    : _pacer.NextTiles(left, pose.Settings.MaxBounces);
-                var watch = Stopwatch.StartNew();
-                _kernels.Rounds.Clear(read.Length);
-                _kernels.Trace(grid, first, rows, Math.Max(maxLevel, emptyLevel) + 1, level + 1, emptyLevel);
-                _lists.Output.ReadBack(read, read.Length);
-                _pacer.Took(rows, watch.Elapsed.TotalSeconds);
-                if (TubeSums.HasOverflown(read))
-                {
-                    // A list was full: the slice is traced again in two. What it has found across sides stays marked.
-                    sums.AddRevealed(read);
-                    if (rows == 1)
-                        throw new GlintException($"{_owner}: one row of cells has too many parts at this tolerance: "
-                            + "ask for a larger one, or trace a part of the picture");
-                    max = rows / 2;
-                    continue;
-                }
-                sums.Add(read, _owner);
-                first += rows;
-                progress?.Report((double)first / grid.Count.y);
-            }
-        }
-
-        /// <summary>The sums of a pose over its slices, in areas of a base cell; counts are over all attempts.</summary>
-        sealed class AmplitudeSums
-        {
-            long _inPhase, _quadrature, _bentInPhase, _bentQuadrature, _squares;
-            long _rays, _hits, _bounces, _received, _lengths;
-
-            public double OriginDepth { get; set; }
-
-            public Complex Sum => new Complex(_inPhase, _quadrature) / UnitsPerCell;
-
-            /// <summary>Parts of cells in which there is more than the attempt knew.</summary>
-            public long Revealed { get; private set; }
-
-            /// <summary>Standard error of what the attempt knew.</summary>
-            public double KnownError
-            {
-                get
-                {
-                    double bent = new Complex(_bentInPhase, _bentQuadrature).Magnitude / UnitsPerCell;
-                    return Math.Sqrt(_squares / UnitsPerSquare + bent * bent);
-                }
-            }
-
-            public double Error => Math.Sqrt(KnownError * KnownError + Revealed * RevealedError * RevealedError);
-
-            public void Clear() => Revealed = _inPhase = _quadrature = _bentInPhase = _bentQuadrature = _squares = 0;
-
-            public void AddRevealed(uint[] output) => Revealed += output[RevealedCount];
-
-            public void Add(uint[] output, string owner)
-            {
-                long At(int word) => TubeSums.At(output, word);
-                if (output[TooLarge] != 0)
-                    throw new GlintException($"{owner}: a part of the amplitude is not finite: "
-                        + "the mesh may have coordinates that float32 does not resolve");
-                _inPhase += At(InPhase);
-                _quadrature += At(InPhase + 2);
-                _bentInPhase += At(Bent);
-                _bentQuadrature += At(Bent + 2);
-                _squares += At(Border);
-                AddRevealed(output);
-                _rays += TubeSums.RaysOf(output, 0).Sum();
-                _hits += At(Hits);
-                _bounces += At(Bounces);
-                _received += At(Received);
-                _lengths += At(Lengths);
-            }
-
-            /// <param name="scale">Rays of the picture a base cell.</param>
-            /// <param name="turns">Phase that the sums lack, turns.</param>
-            public RadarSums ToSums(in RadarPose pose, double scale, double turns)
-            {
-                var sum = scale * Sum * Complex.FromPolarCoordinates(1, 2 * Math.PI * (turns - Math.Floor(turns)));
-                return new RadarSums
-                {
-                    InPhase = sum.Real, Quadrature = sum.Imaginary, RaysOfPicture = pose.Settings.RayCount,
-                    RaysEmitted = _rays, RaysHit = _hits, RaysReceived = _received, Bounces = _bounces,
-                    PathLengthMeters = _hits * OriginDepth + _lengths / LengthUnits,
-                    RayArea = pose.View.RayArea(pose.Settings), PhaseHistogram = null
-                };
-            }
         }
     }
 }

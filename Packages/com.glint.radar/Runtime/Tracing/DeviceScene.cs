@@ -25,11 +25,7 @@ namespace Glint
         readonly DeviceBuffer<uint4> _ranges = new DeviceBuffer<uint4>("ranges of triangles");
         readonly DeviceBuffer<uint4> _instanceBvh = new DeviceBuffer<uint4>("rows of the BVH over instances");
         RadarScene _scene;
-
-        // Of the instances, one for each BVH: records, and boxes about the centre.
-        InstanceRecord[] _records;
-        float3[] _boxMins, _boxMaxes;
-        uint4[] _instanceBvhOnHost;
+        PlacedInstances[] _placed;
 
         public DeviceScene(BvhLayout layout, string owner, long maxRowsPerPage)
         {
@@ -39,7 +35,7 @@ namespace Glint
             _instanceBvh.Reserve(1);
         }
 
-        /// <summary>Null before the first scene.</summary>
+        /// <summary>Null before the first scene; the first one of several.</summary>
         public RadarScene Scene => _scene;
 
         public DeviceBuffer<InstanceRecord> Instances => _instances;
@@ -52,7 +48,10 @@ namespace Glint
         /// <summary>Start of the traversal: root of the instance BVH, or the leaf of the only instance.</summary>
         public uint InstanceBvhRoot { get; private set; }
 
-        public bool IsEmpty { get; private set; }
+        /// <summary>The scenes: several differ in the places of their instances alone.</summary>
+        public IReadOnlyList<PlacedInstances> Placed => _placed;
+
+        public bool IsEmpty => _placed[0].IsEmpty;
 
         /// <summary>
         /// The instances, if their number is small and their BVHs are in one page; they need no instance BVH.
@@ -68,28 +67,37 @@ namespace Glint
         /// <summary>
         /// Corners of the box around the scene, metres; the lower one is above the upper one for an empty scene.
         /// </summary>
-        public double3 Min { get; private set; }
+        public double3 Min => _placed[0].Min;
 
-        public double3 Max { get; private set; }
+        public double3 Max => _placed[0].Max;
 
         /// <summary>Centre of the box: the origin of the kernel's coordinates.</summary>
-        public double3 Centre { get; private set; }
+        public double3 Centre => _placed[0].Centre;
 
         /// <summary>Sets the scene; builds the BVHs of new meshes.</summary>
         /// <returns>True if a BVH was built.</returns>
         public bool Set(RadarScene scene, TraceStatistics statistics, Func<TriangleMesh, BvhLayout, MeshBvh> build)
         {
-            if (_scene != null && scene.IsSame(_scene))
+            if (_scene != null && _placed.Length == 1 && scene.IsSame(_scene))
             {
                 _scene = scene; // its origin may differ
                 return false;
             }
+            return Set(new[] { scene }, statistics, build);
+        }
+
+        /// <summary>
+        /// Sets several scenes of the same instances at other places, each in coordinates about its own centre.
+        /// </summary>
+        /// <returns>True if a BVH was built.</returns>
+        public bool Set(RadarScene[] scenes, TraceStatistics statistics, Func<TriangleMesh, BvhLayout, MeshBvh> build)
+        {
             _scene = null; // until everything is complete
             bool hasBuilt =
-                _bvhs.SetMeshes(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)),
+                _bvhs.SetMeshes(new HashSet<TriangleMesh>(scenes[0].Instances.Select(instance => instance.Mesh)),
                     statistics, build);
-            SetInstances(scene, statistics);
-            _scene = scene;
+            SetInstances(scenes, statistics);
+            _scene = scenes[0];
             return hasBuilt;
         }
 
@@ -121,26 +129,24 @@ namespace Glint
             _scene = null;
         }
 
-        // One record for each BVH of each instance.
-        void SetInstances(RadarScene scene, TraceStatistics statistics)
+        void SetInstances(RadarScene[] scenes, TraceStatistics statistics)
         {
-            Measure(scene);
-            var ranges = scene.Instances.SelectMany(instance => instance.Ranges).Select(
-                range => new uint4((uint)range.FirstTriangle, (uint)range.Object, (uint)range.Surface, 0)).ToArray();
-            WriteRecords(scene);
-            InlineInstances = _records.Length <= MaxInlineInstances && _bvhs.Pages.Count == 1
-                ? _records : Array.Empty<InstanceRecord>();
+            _placed = Array.ConvertAll(scenes, scene => new PlacedInstances(scene, _bvhs));
+            InlineInstances = _placed[0].Records.Length <= MaxInlineInstances && _bvhs.Pages.Count == 1
+                ? _placed[0].Records : Array.Empty<InstanceRecord>();
             InstanceBvhRoot = uint.MaxValue; // DONE: nothing to traverse
             if (IsEmpty)
                 return;
-            _instanceBvhOnHost = InstanceBvh.Build(_boxMins, _boxMaxes, BvhLayout.Binary);
-            // The root's first row ends with the reference to its first child, which is the leaf of a single instance.
-            InstanceBvhRoot = _records.Length == 1 ? _instanceBvhOnHost[InstanceBvhRootRow].w : InstanceBvhRootRow;
-            _instances.Upload(_records);
-            _instanceBvh.Upload(_instanceBvhOnHost);
+            InstanceBvhRoot = _placed[0].Root;
+            var records = _placed.SelectMany(placed => placed.Records).ToArray();
+            var rows = _placed.SelectMany(placed => placed.BvhRows).ToArray();
+            var ranges = scenes[0].Instances.SelectMany(instance => instance.Ranges).Select(
+                range => new uint4((uint)range.FirstTriangle, (uint)range.Object, (uint)range.Surface, 0)).ToArray();
+            _instances.Upload(records);
+            _instanceBvh.Upload(rows);
             _ranges.Upload(ranges);
-            statistics.BytesUploaded += _records.Length * (long)_instances.Stride
-                + _instanceBvhOnHost.Length * (long)_instanceBvh.Stride + ranges.Length * (long)_ranges.Stride;
+            statistics.BytesUploaded += records.Length * (long)_instances.Stride
+                + rows.Length * (long)_instanceBvh.Stride + ranges.Length * (long)_ranges.Stride;
         }
 
         /// <summary>
@@ -150,74 +156,10 @@ namespace Glint
         {
             if (IsEmpty)
                 return;
-            WriteRecords(_scene);
-            InstanceBvh.Refit(_instanceBvhOnHost, _boxMins, _boxMaxes);
-            _instances.Write(_records, 0, 0, _records.Length);
-            _instanceBvh.Write(_instanceBvhOnHost, 0, 0, _instanceBvhOnHost.Length);
+            _placed[0].Move(_scene);
+            var (records, rows) = (_placed[0].Records, _placed[0].BvhRows);
+            _instances.Write(records, 0, 0, records.Length);
+            _instanceBvh.Write(rows, 0, 0, rows.Length);
         }
-
-        // The box around the scene, and room for its records.
-        void Measure(RadarScene scene)
-        {
-            Min = double.PositiveInfinity;
-            Max = double.NegativeInfinity;
-            int count = 0;
-            foreach (var instance in scene.Instances)
-                foreach (var part in _bvhs[instance.Mesh].Bvh.Parts)
-                {
-                    Bound(part, instance.ToWorld, out var boxMin, out var boxMax);
-                    (Min, Max) = (math.min(Min, boxMin), math.max(Max, boxMax));
-                    count++;
-                }
-            IsEmpty = count == 0;
-            Centre = IsEmpty ? 0 : (Min + Max) / 2;
-            (_records, _boxMins, _boxMaxes) = (new InstanceRecord[count], new float3[count], new float3[count]);
-        }
-
-        void WriteRecords(RadarScene scene)
-        {
-            int count = 0, firstRange = 0;
-            for (int i = 0; i < scene.Instances.Length; i++)
-            {
-                var toWorld = scene.Instances[i].ToWorld;
-                var parts = _bvhs[scene.Instances[i].Mesh].Bvh.Parts;
-                for (int part = 0; part < parts.Length; part++, count++)
-                {
-                    Bound(parts[part], toWorld, out var boxMin, out var boxMax);
-                    (_boxMins[count], _boxMaxes[count]) = (Down(boxMin - Centre), -Down(Centre - boxMax));
-                    _records[count] = RecordOf(scene.Instances[i], i, part, firstRange);
-                }
-                firstRange += scene.Instances[i].Ranges.Length;
-            }
-        }
-
-        // That of one BVH of the instance's mesh.
-        InstanceRecord RecordOf(in MeshInstance instance, int number, int part, int firstRange)
-        {
-            var allocation = _bvhs[instance.Mesh];
-            var toLocal = instance.ToWorld.Inverse();
-            toLocal.Origin = toLocal.Point(Centre);
-            var rows = allocation.Bvh.Parts[part];
-            var record = InstanceRecord.Of(toLocal, allocation.PageOf(part), allocation.FirstRowOf(part));
-            (record.FirstRecordRow, record.FirstIdentityRow) = ((uint)rows.FirstRecordRow, (uint)rows.FirstIdentityRow);
-            (record.FirstRange, record.RangeCount) = ((uint)firstRange, (uint)instance.Ranges.Length);
-            record.Instance = (uint)number;
-            return record;
-        }
-
-        static void Bound(BvhPart part, in Affine toWorld, out double3 boxMin, out double3 boxMax)
-        {
-            boxMin = double.PositiveInfinity;
-            boxMax = double.NegativeInfinity;
-            for (int corner = 0; corner < 8; corner++)
-            {
-                double3 p = toWorld.Point(new Box(part.Min, part.Max).Corner(corner));
-                boxMin = math.min(boxMin, p);
-                boxMax = math.max(boxMax, p);
-            }
-        }
-
-        // Float32 numbers below the given ones by some float32 steps, as the kernel's transforms round too.
-        static float3 Down(double3 v) => (float3)(v - 1e-6 * math.abs(v) - 1e-30);
     }
 }

@@ -14,6 +14,9 @@ namespace Glint
         public RayReadbackBuffer Rays;
         public TraceStatistics Statistics;
 
+        /// <summary>Of ray tubes, once it is traced with others.</summary>
+        public RadarResult Result;
+
         /// <summary>Received rays so far.</summary>
         public ReceivedRayList Received = new ReceivedRayList();
 
