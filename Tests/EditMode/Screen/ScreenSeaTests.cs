@@ -25,7 +25,6 @@ namespace Glint.Tests
         }
 
         // The mean is that of the model, in the sea's state of the wind, against the wind; texture and shadows stay.
-        [TestCase(ClutterLevel.Nrl, 10, ScreenPolarisation.Horizontal)]
         [TestCase(ClutterLevel.Nrl, 2, ScreenPolarisation.Vertical)]
         [TestCase(ClutterLevel.Git, 5, ScreenPolarisation.Horizontal)]
         [TestCase(ClutterLevel.Nathanson, 3, ScreenPolarisation.Horizontal)]
