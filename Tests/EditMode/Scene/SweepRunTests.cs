@@ -192,31 +192,18 @@ namespace Glint.Tests
                 Assert.That(shown, Is.EqualTo(new double[] { 2, 2, 2, 20, 20, 20, 40 }).Within(1e-3));
         }
 
+        /// <summary>A pose that cannot be traced does not take those before it along.</summary>
         [Test]
-        public void Step_OfTubesCancelled_KeepsTheRowsBeforeAndCanGoOn()
+        public void FinishTrace_OfTubesBesideAPoseThatCannotBeTraced_HasItsResult()
         {
-            var plan = new SweepPlan(new double[] { 0, 10, 20, 30, 40 });
             SetTolerance();
-            var expected = new List<string>();
-            using (var run = Sweep(plan))
-                while (!run.IsComplete)
-                    expected.Add(Describe(run.Step()));
-            var rows = new List<string>();
-            using (var cancel = new CancellationTokenSource())
-            using (var run = Sweep(plan))
-            {
-                _radar.Tubes.PosesTogether = 2;
-                run.PosesAhead = int.MaxValue;
-                rows.Add(Describe(run.Step()));
-                rows.Add(Describe(run.Step()));
-                cancel.Cancel();
-                Assert.That(() => run.Step(null, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
-                Assert.That(run.Done, Is.EqualTo(2));
-                while (!run.IsComplete)
-                    rows.Add(Describe(run.Step()));
-            }
-            Assert.That(rows, Is.EqualTo(expected));
-            Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
+            var expected = _radar.Trace();
+            var good = _radar.StartTrace(RayReadback.None);
+            var bad = _radar.StartTrace(RayReadback.None);
+            bad.Pose.Settings.ToleranceDb = 11;
+            Assert.That(_radar.FinishTrace(good).InPhase, Is.EqualTo(expected.InPhase));
+            Assert.That(() => _radar.FinishTrace(bad), Throws.InstanceOf<GlintException>().With.Message.Contains("tolerance"));
+            Assert.That(_radar.IsInFlight(bad), Is.False);
         }
 
         /// <summary>The scene shows the next pose after a step, unless the paths of this one are drawn.</summary>
@@ -242,9 +229,11 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Step_CancelledWhileTheNextPoseIsInFlight_CanGoOnWithTheSameRows()
+        public void Step_CancelledWhileTheNextPoseIsInFlight_CanGoOnWithTheSameRows([Values] bool ofTubes)
         {
             var plan = new SweepPlan(new double[] { 0, 10, 20, 30, 40 });
+            if (ofTubes)
+                SetTolerance();
             var expected = new List<string>();
             using (var run = Sweep(plan))
                 while (!run.IsComplete)
@@ -253,7 +242,9 @@ namespace Glint.Tests
             using (var cancel = new CancellationTokenSource())
             using (var run = Sweep(plan))
             {
-                run.PosesAhead = 1;
+                if (ofTubes)
+                    _radar.Tubes.PosesTogether = 2;
+                run.PosesAhead = ofTubes ? int.MaxValue : 1;
                 rows.Add(Describe(run.Step()));
                 rows.Add(Describe(run.Step()));
                 cancel.Cancel();
@@ -263,6 +254,7 @@ namespace Glint.Tests
                     rows.Add(Describe(run.Step()));
             }
             Assert.That(rows, Is.EqualTo(expected));
+            Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
         }
 
         static readonly Action<RadarController, PoseInFlight>[] s_ends =

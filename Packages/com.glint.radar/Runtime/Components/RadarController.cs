@@ -296,19 +296,26 @@ namespace Glint
             try
             {
                 if (inFlight.Result == null)
-                {
-                    var together = _pending.Where(pose => pose.Result == null).ToArray();
-                    var results = Tubes.Trace(Array.ConvertAll(together, pose => pose.Pose), progress, cancel,
-                        Array.ConvertAll(together, pose => pose.Statistics));
-                    for (int i = 0; i < together.Length; i++)
-                        together[i].Result = results[i];
-                }
-                return inFlight.Result;
+                    TraceTubes(_pending.Where(pose => pose.Result == null).ToArray(), progress, cancel);
+            }
+            catch (GlintException) when (_pending.Count > 1)
+            {
+                // Another one may be at fault: its own step says so.
+                TraceTubes(new[] { inFlight }, progress, cancel);
             }
             finally
             {
                 _pending.Remove(inFlight);
             }
+            return inFlight.Result;
+        }
+
+        void TraceTubes(PoseInFlight[] together, IProgress<double> progress, CancellationToken cancel)
+        {
+            var results = Tubes.Trace(Array.ConvertAll(together, pose => pose.Pose), progress, cancel,
+                Array.ConvertAll(together, pose => pose.Statistics));
+            for (int i = 0; i < together.Length; i++)
+                together[i].Result = results[i];
         }
 
         /// <summary>Gives up a pose that will not be finished; may be null.</summary>
