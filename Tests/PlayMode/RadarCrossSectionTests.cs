@@ -47,15 +47,19 @@ namespace Glint.Tests
         [Timeout(180000)]
         public IEnumerator Play_TheScene_ComputesACircleOfItsDihedralAndWritesTheFiles()
         {
+            // Cancel_ByAListener has the rows of the scene's own step.
+            Assert.That(_radar.Azimuths, Is.EqualTo("0:359:1"));
+            _radar.Azimuths = "0:355:5";
             _radar.enabled = true;
             yield return Finish();
 
             Assert.That((_radar.Rows.Count, _radar.RowCount, _radar.ResultsPath, _radar.Problem),
-                Is.EqualTo((360, 360, _folder, (string)null)));
-            Assert.That(_radar.Rows.Select(row => row.Planned.AzimuthDegrees), Is.EqualTo(Enumerable.Range(0, 360)));
-            Assert.That(_radar.Rows.Count(row => row.MeetsTolerance), Is.EqualTo(360));
+                Is.EqualTo((72, 72, _folder, (string)null)));
+            Assert.That(_radar.Rows.Select(row => row.Planned.AzimuthDegrees),
+                Is.EqualTo(Enumerable.Range(0, 72).Select(i => 5 * i)));
+            Assert.That(_radar.Rows.Count(row => row.MeetsTolerance), Is.EqualTo(72));
             var lines = File.ReadAllLines(Path.Combine(_folder, "rcs.csv"));
-            Assert.That(lines.Length, Is.EqualTo(361));
+            Assert.That(lines.Length, Is.EqualTo(73));
             Assert.That(lines[0], Does.StartWith("azimuth_deg,elevation_deg,frequency_hz"));
             foreach (string file in new[] { "results.json", "rcs.npz" })
                 Assert.That(File.Exists(Path.Combine(_folder, file)), file);
@@ -65,7 +69,7 @@ namespace Glint.Tests
             var expected = Compute(Dihedral(), chosen.Select(azimuth => (double)azimuth).ToArray());
             for (int i = 0; i < chosen.Length; i++)
             {
-                var row = _radar.Rows[chosen[i]];
+                var row = _radar.Rows[chosen[i] / 5];
                 // Both are within the tolerance in 95 % of cases.
                 double Allowed(Complex amplitude) => 2 * (Math.Pow(10, 0.1 / 20) - 1)
                     * Math.Max(amplitude.Magnitude, Math.Pow(10, row.FloorDbsm / 20));

@@ -13,17 +13,19 @@ namespace Glint.Tests
     [Category("Slow")]
     public sealed class RadarScreenPlayTests
     {
+        // The scene stays, and its frames take long.
+        [TearDown]
+        public void StopScreens()
+        {
+            foreach (var screen in Object.FindObjectsByType<RadarScreen>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+                screen.enabled = false;
+        }
+
         [UnityTest]
         public IEnumerator Screen_WhilePlaying_TurnsWithTheClock_AndShipsMove()
         {
-            yield return PlayScene.Load("HarbourApproach");
+            yield return PlayScene.Load("HarbourApproach", () => MakeSmall(Object.FindFirstObjectByType<RadarScreen>()));
             var screen = Object.FindFirstObjectByType<RadarScreen>();
-            var radar = screen.Radar;
-            (radar.Spokes, radar.Cells) = (1024, 100);
-            var display = screen.Display;
-            display.Side = 64;
-            (screen.Radar, screen.Display) = (radar, display);
-            yield return null;
             var picture = screen.Picture;
             double bearing = screen.AntennaDegrees, clock = Time.timeAsDouble;
             var ship = screen.OwnShip.position;
@@ -46,11 +48,7 @@ namespace Glint.Tests
             made.SetActive(false);
             var screen = made.AddComponent<RadarScreen>();
             screen.Kernel = PlayAsset.Load<ComputeShader>("Packages/com.glint.radar/Shaders/Screen.compute");
-            var radar = screen.Radar;
-            (radar.Spokes, radar.Cells) = (1024, 100);
-            var display = screen.Display;
-            display.Side = 64;
-            (screen.Radar, screen.Display) = (radar, display);
+            MakeSmall(screen);
             using (var receiver = new UdpClient(new IPEndPoint(IPAddress.Loopback, 0)))
             {
                 var sender = made.AddComponent<RadarVideoSender>();
@@ -75,6 +73,15 @@ namespace Glint.Tests
             }
             Object.Destroy(made);
             yield return null;
+        }
+
+        static void MakeSmall(RadarScreen screen)
+        {
+            var radar = screen.Radar;
+            (radar.Spokes, radar.Cells) = (1024, 100);
+            var display = screen.Display;
+            display.Side = 64;
+            (screen.Radar, screen.Display) = (radar, display);
         }
     }
 }
