@@ -45,18 +45,17 @@ public sealed class KernelCacheTests
     [Test]
     public void Run_WithADamagedCache_GivesTheSameFigures()
     {
+        // Every other one is changed, and the rest cut off.
+        bool isCut = false;
         foreach (string file in CachedFiles())
         {
             byte[] bytes = File.ReadAllBytes(file);
             for (int i = bytes.Length / 2; i < bytes.Length * 3 / 4; i++)
                 bytes[i] ^= 0x5a;
-            File.WriteAllBytes(file, bytes);
+            File.WriteAllBytes(file, isCut ? bytes[..100] : bytes);
+            isCut = !isCut;
         }
-        Assert.That(Run(_folder), Is.EqualTo(_figures), "changed");
-
-        foreach (string file in CachedFiles())
-            File.WriteAllBytes(file, File.ReadAllBytes(file)[..100]);
-        Assert.That(Run(_folder), Is.EqualTo(_figures), "cut off");
+        Assert.That(Run(_folder), Is.EqualTo(_figures));
     }
 
     [Test]
