@@ -44,7 +44,7 @@ namespace Glint.Tests
                 clutter.ShortWaves.Spectrum.Density);
             var (along, across) = clutter.ShortWaves.SlopeVariances(1e-3, scattering.TiltCut);
             foreach (double azimuth in new[] { 0, 45, 90.0 })
-                foreach (double grazing in new[] { 20, 30, 45, 60, 70.0 })
+                foreach (double grazing in new[] { 20, 45, 70.0 })
                 {
                     var found = ClutterEcho.Sum(seas.SelectMany(sea => new[] { azimuth, azimuth + 180 }
                         .SelectMany(side => Tracer.Trace(sea.Pose(side, grazing), TenGigahertz)))).Sigma0;

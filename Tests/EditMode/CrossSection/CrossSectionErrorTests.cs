@@ -28,6 +28,10 @@ namespace Glint.Tests
         // Their truths take minutes a pose.
         static readonly string[] SlowTargets = { "sphere", "cylinder", "top_hat", "ship" };
 
+        // Their bodies, and each part of their truths, are among those of others: the plate with edges, the dihedral and the
+        // trihedral at a finite range.
+        static readonly string[] CoveredTargets = { "plate", "near_dihedral" };
+
         // The poses of each target that are compared; tools/stress errors takes all of the table.
         const string CountVariable = "GLINT_ERROR_POSES";
         const int DefaultCount = 12;
@@ -177,7 +181,7 @@ namespace Glint.Tests
             }
             foreach (var (target, number, truth) in Truths().Where(row => row.Number == 0))
             {
-                if (SlowTargets.Contains(target))
+                if (SlowTargets.Contains(target) || CoveredTargets.Contains(target))
                     continue;
                 var s = TruthOf(target, number);
                 Assert.That((s.VV - truth.VV).Magnitude, Is.LessThan(1e-6 * truth.VV.Magnitude), target);

