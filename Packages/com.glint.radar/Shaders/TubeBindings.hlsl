@@ -68,7 +68,6 @@ static const uint OUTLINE_ARGUMENTS = 72;
 static const uint WHOLE_ARGUMENTS = 84;
 static const uint CHANGE_ARGUMENTS = 96;
 static const uint BORDER_RAY_ARGUMENTS = 108;
-static const uint NEW_CORNER_ARGUMENTS = 120;
 
 // GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
 // The piece is a polygon in the plane of the grid, whose unit is a base cell.
@@ -371,14 +370,11 @@ uint CountOfList(uint count, uint capacity)
     return min(_Sums[count] + _Sums[count + 1], capacity);
 }
 
-// Element of a list. cells: that are added at once.
+// Element of a list, of which the deep ones come first: a dispatch waits for its slowest threads. cells: that are added at once.
 uint ElementOfList(uint count, uint index, uint cells, uint capacity)
 {
-    uint front = min(_Sums[count], capacity);
-    if (index < front)
-        return index;
-    uint behind = index - front;
-    return capacity - cells - behind / cells * cells + behind % cells;
+    uint deep = CountOfList(count, capacity) - min(_Sums[count], capacity);
+    return index < deep ? capacity - cells - index / cells * cells + index % cells : index - deep;
 }
 
 float2 ComplexMul(float2 a, float2 b)

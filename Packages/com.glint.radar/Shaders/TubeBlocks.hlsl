@@ -9,7 +9,7 @@
 
 uint CornerCount()
 {
-    return _Round == 0 ? _BaseCounts.y : CellCount() / BLOCK_CELLS * BLOCK_CORNERS;
+    return _Round == 0 ? _BaseCounts.y : CellCount() / BLOCK_CELLS * NEW_CORNERS;
 }
 
 // A cell of the round, whose pose becomes that of the thread.

@@ -4,8 +4,8 @@
 #include "TubeBlocks.hlsl"
 #include "Sums.hlsl"
 
-// Follows the rays through the corners of cells, and notes what they meet at each bounce. One thread a corner. Of a cell
-// that was divided the corners are known; the middles of its sides and its centre are new.
+// Follows the rays through the corners of cells, and notes what they meet at each bounce. Of a cell that was divided the corners
+// are known; the middles of its sides and its centre are new. One thread a base corner, or a new one.
 
 // Whether a triangle may be seen in a base cell at a corner of the grid.
 bool HasBaseCell(uint2 corner)
@@ -25,12 +25,9 @@ struct CornerPosition
 {
     float2 OnGrid;         // base cells
     uint Number;
-    uint Known;            // its number in the round before; NO_CORNER: none
     bool IsNeeded;
     bool IsCounted;        // dispatches that share a base corner count it once
 };
-
-static const uint NO_CORNER = 0xffffffff;
 
 static const float MAX_HALF = 65504.0;
 
@@ -44,7 +41,6 @@ CornerPosition PositionOf(uint index)
 {
     CornerPosition position;
     position.Number = index;
-    position.Known = NO_CORNER;
     position.IsCounted = true;
     if (_Round == 0)
     {
@@ -57,26 +53,23 @@ CornerPosition PositionOf(uint index)
         position.IsCounted = all(inSlice > 0 || corner == 0);
         return position;
     }
-    // The new corners of all blocks come first, since neighbouring threads then do the same.
-    uint newCorners = NEW_CORNERS * (CellCount() / BLOCK_CELLS), known = index - newCorners;
-    bool isNew = index < newCorners;
-    uint block = isNew ? index / NEW_CORNERS : known / BLOCK_CELLS;
-    uint place = isNew ? 2 * (index % NEW_CORNERS) + 1 : 0;
+    uint block = index / NEW_CORNERS, place = 2 * (index % NEW_CORNERS) + 1;
     // Of nine places, row by row: 1, 3, 4, 5 and 7.
     place = place == 5 ? 4 : place == 7 ? 5 : place == 9 ? 7 : place;
-    uint2 inWhole = uint2(known & 1, known >> 1 & 1), at = isNew ? uint2(place % 3, place / 3) : 2 * inWhole;
+    uint2 at = uint2(place % 3, place / 3);
     Cell cell = LoadCell(BLOCK_CELLS * block);
     position.Number = CornerOfBlock(block, at);
     position.OnGrid = SideOfCell(cell) * (cell.Position + at);
-    if (!isNew)
-        position.Known = CornerOfCell(cell.Whole, inWhole, _Round - 1);
     position.IsNeeded = true;
     return position;
 }
 
-// Takes what the ray through a corner has met over from the round before.
-void CopyCorner(uint from, uint to)
+// Takes what the ray through one of the four known corners of a divided cell has met over from the round before.
+void CopyCorner(uint block, uint corner)
 {
+    uint2 at = uint2(corner & 1, corner >> 1);
+    uint from = CornerOfCell(_TubeCells[ElementOfList(TUBE_CELLS, BLOCK_CELLS * block, BLOCK_CELLS, _ListCapacity.y)].Whole, at,
+        _Round - 1) * _MaxBounces, to = CornerOfBlock(block, 2 * at) * _MaxBounces;
     uint bounces = BouncesOf(_CornersBefore[from]);
     for (uint i = 0; i < max(bounces, 1); i++)
         _Corners[to + i] = _CornersBefore[from + i];
@@ -91,12 +84,9 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     CornerPosition position = PositionOf(index);
     if (!position.IsNeeded)
         return;
+    if (_Round > 0 && index % NEW_CORNERS < BLOCK_CELLS)
+        CopyCorner(index / NEW_CORNERS, index % NEW_CORNERS);
     uint first = position.Number * _MaxBounces;
-    if (position.Known != NO_CORNER)
-    {
-        CopyCorner(position.Known * _MaxBounces, first);
-        return;
-    }
     TubePath tube = BeginTube(position.OnGrid);
     SurfacePoint at;
     [loop]

@@ -192,9 +192,7 @@ void PrepareCells()
 {
     uint cells = _Sums[TUBE_NEXT_CELLS] + _Sums[TUBE_NEXT_CELLS + 1];
     StoreGroups(CELL_ARGUMENTS, GroupsOf(cells, _ListCapacity.y, GLINT_GROUP), 1);
-    StoreGroups(CORNER_ARGUMENTS, GroupsOf(BLOCK_CORNERS * (cells / BLOCK_CELLS),
-        BLOCK_CORNERS * (_ListCapacity.y / BLOCK_CELLS), GLINT_GROUP), 1);
-    StoreGroups(NEW_CORNER_ARGUMENTS, GroupsOf(NEW_CORNERS * (cells / BLOCK_CELLS),
+    StoreGroups(CORNER_ARGUMENTS, GroupsOf(NEW_CORNERS * (cells / BLOCK_CELLS),
         NEW_CORNERS * (_ListCapacity.y / BLOCK_CELLS), GLINT_GROUP), 1);
     StoreGroups(TUBE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, TUBES_A_GROUP), _FrequencyGroups);
     StoreGroups(CHANGE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, GLINT_GROUP), 1);

@@ -127,7 +127,7 @@ namespace Glint.Tests
                     ["OUTLINE_ARGUMENTS"] = TubeRounds.OutlineArguments, ["WHOLE_ARGUMENTS"] = TubeRounds.WholeArguments,
                     ["CHANGE_ARGUMENTS"] = TubeRounds.ChangeArguments,
                     ["BORDER_RAY_ARGUMENTS"] = TubeRounds.BorderRayArguments,
-                    ["NEW_CORNER_ARGUMENTS"] = TubeRounds.NewCornerArguments, ["NEW_CORNERS"] = TubeKernels.NewCorners, ["BORDER_RAYS"] = AmplitudeKernels.BorderRays,
+                    ["NEW_CORNERS"] = TubeKernels.NewCorners, ["BORDER_RAYS"] = AmplitudeKernels.BorderRays,
                     ["TUBE_EXTRAS"] = TubeKernels.TubeExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
@@ -184,9 +184,9 @@ namespace Glint.Tests
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,
                 TubeRounds.BisectArguments, TubeRounds.CornerArguments, TubeRounds.CentreArguments,
                 TubeRounds.OutlineArguments, TubeRounds.WholeArguments, TubeRounds.ChangeArguments,
-                TubeRounds.BorderRayArguments, TubeRounds.NewCornerArguments };
-            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72, 84, 96, 108, 120 }));
-            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(120 + 12));
+                TubeRounds.BorderRayArguments };
+            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48, 60, 72, 84, 96, 108 }));
+            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(108 + 12));
         }
 
         // Tags of tubes have 8 bits for the receiver, 8 for the bounce, and the corners above.

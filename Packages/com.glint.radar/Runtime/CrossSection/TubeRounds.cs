@@ -11,12 +11,12 @@ namespace Glint
     sealed class TubeRounds : IDisposable
     {
         /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
-        public const int ArgumentWords = 33;
+        public const int ArgumentWords = 30;
 
         /// <inheritdoc cref="ArgumentWords"/>
         public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36,
             CornerArguments = 48, CentreArguments = 60, OutlineArguments = 72, WholeArguments = 84, ChangeArguments = 96,
-            BorderRayArguments = 108, NewCornerArguments = 120;
+            BorderRayArguments = 108;
 
         // Rays that a thread traces at most: a software device ends a thread's loops after 65,535 iterations in all.
         readonly int _raysAThread = SoftwareDevice.IsInUse ? 4 : 32;
@@ -146,7 +146,7 @@ namespace Glint
             for (int round = 0; round < rounds; round++)
             {
                 SetRound(round);
-                Dispatch(_corners, round, corners, _rays != null ? CornerArguments : NewCornerArguments);
+                Dispatch(_corners, round, corners, CornerArguments);
                 if (_rays != null && round > 0)
                     _shader.DispatchIndirect(_rays.Reveals, _arguments, CellArguments);
                 Dispatch(_cells, round, count, CellArguments);
