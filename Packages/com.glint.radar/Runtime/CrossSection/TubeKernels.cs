@@ -53,8 +53,8 @@ namespace Glint
         readonly DeviceBuffer<float4> _receivers = new DeviceBuffer<float4>("receivers");
         TubePose[] _slices;
         readonly DeviceBuffer<float4> _blocks = new DeviceBuffer<float4>("blocks of frequencies");
-        readonly DeviceBuffer<uint> _beginning = new DeviceBuffer<uint>("poses that begin");
-        readonly int _clearMarks, _mark, _outlines, _cover, _clearRevealed, _takeRevealed, _cells, _fringes, _points, _parts, _bands;
+        readonly RevealedBits _revealed;
+        readonly int _clearMarks, _mark, _outlines, _cover, _cells, _fringes, _points, _parts, _bands;
         bool _hasBands;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
@@ -67,8 +67,7 @@ namespace Glint
             _mark = shader.FindKernel("MarkVertices");
             _outlines = shader.FindKernel("MarkOutlines");
             _cover = shader.FindKernel("MarkCover");
-            _clearRevealed = shader.FindKernel("ClearRevealed");
-            _takeRevealed = shader.FindKernel("TakeRevealed");
+            _revealed = new RevealedBits(shader);
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
             _points = shader.FindKernel("TubePoints");
@@ -245,28 +244,12 @@ namespace Glint
             _shader.DispatchThreads(_cover, (long)poses * surfaces.SphereCount);
         }
 
-        /// <summary>Sets the cells that earlier attempts have revealed, and those with this attempt.</summary>
-        public void SetRevealed(DeviceBuffer<uint> revealed, DeviceBuffer<uint> byNow)
-        {
-            _shader.SetInt(TubeIDs._RevealedWords, RevealedWords);
-            foreach (int kernel in new[] { _cells, _rays.Centres })
-                _shader.SetBuffer(kernel, TubeIDs._Revealed, revealed.Buffer);
-            _shader.SetBuffer(_takeRevealed, TubeIDs._WrittenRevealed, revealed.Buffer);
-            foreach (int kernel in new[] { _rays.Reveals, _clearRevealed, _takeRevealed })
-                _shader.SetBuffer(kernel, TubeIDs._RevealedByNow, byNow.Buffer);
-        }
+        /// <summary>Makes room for what attempts reveal of poses.</summary>
+        public void BindRevealed(int poses) =>
+            _revealed.Bind(poses, RevealedWords, new[] { _cells, _rays.Centres }, _rays.Reveals);
 
-        /// <summary>Nothing is revealed by now of any pose.</summary>
-        public void ClearRevealed(int poses) => _shader.DispatchThreads(_clearRevealed, (long)RevealedWords * poses);
-
-        /// <summary>Takes what was revealed of poses that begin an attempt.</summary>
-        public void TakeRevealed(IReadOnlyList<uint> poses)
-        {
-            _beginning.Upload(poses.ToArray());
-            _shader.SetBuffer(_takeRevealed, TubeIDs._Beginning, _beginning.Buffer);
-            _shader.SetInt(TubeIDs._BeginningCount, poses.Count);
-            _shader.DispatchThreads(_takeRevealed, (long)RevealedWords * poses.Count);
-        }
+        /// <summary>Nothing is revealed of any pose.</summary>
+        public void ClearRevealed(int poses) => _revealed.Clear(poses);
 
         /// <inheritdoc cref="TubeRounds.Clear"/>
         public void Clear(int count) => _rounds.Clear(count);
@@ -277,6 +260,7 @@ namespace Glint
         /// <param name="slices">Of each pose, the first cell and their number: whole rows, or a part of one.</param>
         public void Trace(IReadOnlyList<TubeJob> jobs, (long First, int Count)[] slices)
         {
+            _revealed.Take(Enumerable.Range(0, jobs.Count).Where(i => slices[i].Count > 0 && jobs[i].TakesRevealed()));
             var (cells, corners) = SetSlices(jobs, slices);
             var traced = jobs.Where((job, i) => slices[i].Count > 0).ToArray();
             _rounds.Trace(cells, corners, traced.Max(job => job.MaxLevel) + 1, traced.Max(job => job.MaxBisections));
@@ -285,16 +269,9 @@ namespace Glint
         // Returns the base cells of all poses, and their corners.
         (int Cells, int Corners) SetSlices(IReadOnlyList<TubeJob> jobs, (long First, int Count)[] slices)
         {
-            int cells = 0, corners = 0;
             for (int i = 0; i < slices.Length; i++)
-            {
-                int count = slices[i].Count, across = Math.Max(1, Math.Min(count, (int)_slices[i].Cells.x));
-                _slices[i].Slice = new uint4((uint)slices[i].First, (uint)count, (uint)across, (uint)cells);
-                _slices[i].FirstCorner = (uint)corners;
                 jobs[i].SetAccuracy(ref _slices[i]);
-                cells += count;
-                corners += CornersOf(count, (int)_slices[i].Cells.x);
-            }
+            var (cells, corners) = TubePose.SetSlices(_slices, slices);
             _poses.Upload(_slices);
             _shader.SetInts(TubeIDs._BaseCounts, cells, corners);
             return (cells, corners);
@@ -336,7 +313,7 @@ namespace Glint
             _poses.Dispose();
             _receivers.Dispose();
             _blocks.Dispose();
-            _beginning.Dispose();
+            _revealed.Dispose();
         }
     }
 }

@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using Glint.Core;
 using Unity.Mathematics;
@@ -45,6 +47,25 @@ namespace Glint
             Cells = (uint2)cells;
             Reference = new float2(rays.ReferencePixel.x, rays.ReferencePixel.y);
             OriginDepth = (float)rays.OriginDepth;
+        }
+
+        /// <summary>
+        /// Sets the base cells of each pose that a dispatch traces, and where they and their corners lie in it. Returns how many.
+        /// </summary>
+        /// <param name="slices">Of each pose, the first cell and their number: whole rows, or a part of one.</param>
+        public static (int Cells, int Corners) SetSlices(TubePose[] poses, IReadOnlyList<(long First, int Count)> slices)
+        {
+            int cells = 0, corners = 0;
+            for (int i = 0; i < poses.Length; i++)
+            {
+                var (first, count) = slices[i];
+                int across = Math.Max(1, Math.Min(count, (int)poses[i].Cells.x));
+                poses[i].Slice = new uint4((uint)first, (uint)count, (uint)across, (uint)cells);
+                poses[i].FirstCorner = (uint)corners;
+                cells += count;
+                corners += TubeKernels.CornersOf(count, (int)poses[i].Cells.x);
+            }
+            return (cells, corners);
         }
 
         /// <summary>A row of a vector and a number.</summary>

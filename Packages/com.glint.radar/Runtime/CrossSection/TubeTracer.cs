@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
 using System.Threading;
@@ -36,8 +35,6 @@ namespace Glint
         readonly DeviceBuffer<float4> _tubeExtras = new DeviceBuffer<float4>("rates and changes of tubes");
         readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
         readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of patches");
-        readonly DeviceBuffer<uint> _revealed = new DeviceBuffer<uint>("revealed cells");
-        readonly DeviceBuffer<uint> _revealedByNow = new DeviceBuffer<uint>("cells revealed by now");
         readonly DispatchPacer _pacer = new DispatchPacer();
         Action _bind;
         int _factor = 1, _slicesOfFactor;
@@ -122,9 +119,7 @@ namespace Glint
             int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces);
             _marks.Reserve((long)jobs.Length * words);
             _links.Reserve((long)jobs.Length * links);
-            _revealed.Reserve((long)jobs.Length * TubeKernels.RevealedWords);
-            _revealedByNow.Reserve((long)jobs.Length * TubeKernels.RevealedWords);
-            _kernels.SetRevealed(_revealed, _revealedByNow);
+            _kernels.BindRevealed(jobs.Length);
             _kernels.Mark(jobs.Length, words, links, surfaces, _marks, _links);
         }
 
@@ -150,7 +145,6 @@ namespace Glint
                 ref raysLeft);
             int count = slices.Sum(slice => slice.Count);
             var watch = Stopwatch.StartNew();
-            TakeRevealed(jobs, slices);
             _kernels.Clear(_read.Length);
             _kernels.Trace(jobs, slices);
             _lists.Output.ReadBack(_read, _read.Length);
@@ -169,17 +163,6 @@ namespace Glint
                     jobs[i].Took(slices[i].Count, TubeSums.RaysOf(_read, i));
             _maxRays = Math.Min(RaysASlice, 1.5 * _maxRays);
             _slicesOfFactor += jobs.Any(job => job.Left > 0) ? 1 : 0;
-        }
-
-        // A slice that is traced again must not meet what it has revealed itself.
-        void TakeRevealed(TubeJob[] jobs, (long First, int Count)[] slices)
-        {
-            var beginning = new List<uint>();
-            for (int i = 0; i < jobs.Length; i++)
-                if (slices[i].Count > 0 && jobs[i].TakesRevealed())
-                    beginning.Add((uint)i);
-            if (beginning.Count > 0)
-                _kernels.TakeRevealed(beginning);
         }
 
         void GrowLists()
@@ -246,8 +229,6 @@ namespace Glint
             _tubeExtras.Dispose();
             _marks.Dispose();
             _links.Dispose();
-            _revealed.Dispose();
-            _revealedByNow.Dispose();
         }
     }
 }

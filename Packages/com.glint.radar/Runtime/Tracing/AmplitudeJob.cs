@@ -23,7 +23,7 @@ namespace Glint
         readonly AmplitudeSums _sums = new AmplitudeSums();
         readonly double _scale;            // rays of the picture a base cell
         int _attempt = 1, _bisectLevel = FirstBisectLevel;
-        bool _takesRevealed;
+        bool _takesRevealed = true;
 
         /// <param name="boxMin">Lower corner of the box around the scene, metres.</param>
         /// <param name="boxMax">Upper corner.</param>

@@ -1,6 +1,5 @@
 using System;
 using System.Linq;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -20,29 +19,24 @@ namespace Glint
         static readonly int s_borderRays = Shader.PropertyToID("_BorderRays");
 
         readonly ComputeShader _shader;
-        readonly int _cells, _clearRevealed, _takeRevealed;
+        readonly int _cells;
         readonly DeviceBuffer<TubePose> _poses = new DeviceBuffer<TubePose>("poses");
         readonly DeviceBuffer<AmplitudePose> _amplitudePoses = new DeviceBuffer<AmplitudePose>("poses");
-        readonly DeviceBuffer<uint> _beginning = new DeviceBuffer<uint>("poses that begin");
+        readonly RevealedBits _revealed;
         TubePose[] _slices;
         AmplitudePose[] _pictures;
-        int _revealedWords;
 
         /// <param name="shader">Shaders/Amplitude.compute.</param>
         public AmplitudeKernels(ComputeShader shader)
         {
             _shader = shader;
             _cells = shader.FindKernel("AmplitudeCells");
-            _clearRevealed = shader.FindKernel("ClearRevealed");
-            _takeRevealed = shader.FindKernel("TakeRevealed");
+            _revealed = new RevealedBits(shader);
             Rounds = new TubeRounds(shader, "AmplitudePoints", "AmplitudeCells", "AmplitudeBorders", null, "AmplitudeRays");
         }
 
         /// <summary>The kernels that divide cells.</summary>
         public TubeRounds Rounds { get; }
-
-        /// <summary>Words of the parts of a pose's cells.</summary>
-        public static int RevealedWordsOf(AmplitudeJob job) => PartWords * job.Grid.Count.x * job.Grid.Count.y;
 
         /// <summary>Rays of a border cell: BORDER_RAYS in Shaders/TubeBindings.hlsl.</summary>
         public const int BorderRays = 4;
@@ -107,65 +101,29 @@ namespace Glint
             _shader.SetInt(s_pointCapacity, capacity);
         }
 
-        /// <summary>
-        /// Sets the parts of cells in which earlier attempts of each pose have found more, and those with this one: none yet.
-        /// </summary>
-        public void SetRevealed(DeviceBuffer<uint> revealed, DeviceBuffer<uint> byNow, int wordsOfPose)
+        /// <summary>Makes room for the parts of cells in which attempts of each pose find something: nothing yet.</summary>
+        public void BindRevealed(AmplitudeJob[] jobs)
         {
-            _revealedWords = wordsOfPose;
-            long words = (long)wordsOfPose * _slices.Length;
-            _shader.SetInt(TubeIDs._RevealedWords, _revealedWords);
-            _shader.SetBuffer(_takeRevealed, TubeIDs._WrittenRevealed, revealed.Buffer);
-            _shader.SetBuffer(_takeRevealed, TubeIDs._RevealedByNow, byNow.Buffer);
-            _shader.SetBuffer(_cells, TubeIDs._Revealed, revealed.Buffer);
-            _shader.SetBuffer(Rounds.Corners, TubeIDs._RevealedByNow, byNow.Buffer);
-            foreach (var bits in new[] { revealed, byNow })
-            {
-                _shader.SetBuffer(_clearRevealed, TubeIDs._RevealedByNow, bits.Buffer);
-                _shader.DispatchThreads(_clearRevealed, words);
-            }
+            int words = jobs.Max(job => PartWords * job.Grid.Count.x * job.Grid.Count.y);
+            _revealed.Bind(jobs.Length, words, new[] { _cells }, Rounds.Corners);
+            _revealed.Clear(jobs.Length);
         }
 
         /// <summary>Traces rows of base cells of each pose.</summary>
         /// <param name="rows">Of each pose.</param>
         public void Trace(AmplitudeJob[] jobs, int[] rows)
         {
-            TakeRevealed(jobs, rows);
-            var (cells, corners) = SetSlices(jobs, rows);
-            var traced = jobs.Where((job, i) => rows[i] > 0).ToArray();
-            Rounds.Trace(cells, corners, traced.Max(job => Math.Max(job.MaxLevel, job.EmptyLevel)) + 1,
-                traced.Max(job => job.MaxBisections));
-        }
-
-        // A slice that is traced again must not meet what it has revealed itself.
-        void TakeRevealed(AmplitudeJob[] jobs, int[] rows)
-        {
-            var beginning = Enumerable.Range(0, jobs.Length).Where(i => rows[i] > 0 && jobs[i].TakesRevealed())
-                .Select(i => (uint)i).ToArray();
-            if (beginning.Length == 0)
-                return;
-            _beginning.Upload(beginning);
-            _shader.SetBuffer(_takeRevealed, TubeIDs._Beginning, _beginning.Buffer);
-            _shader.SetInt(TubeIDs._BeginningCount, beginning.Length);
-            _shader.DispatchThreads(_takeRevealed, (long)_revealedWords * beginning.Length);
-        }
-
-        (int Cells, int Corners) SetSlices(AmplitudeJob[] jobs, int[] rows)
-        {
-            int cells = 0, corners = 0;
+            _revealed.Take(Enumerable.Range(0, jobs.Length).Where(i => rows[i] > 0 && jobs[i].TakesRevealed()));
             for (int i = 0; i < jobs.Length; i++)
-            {
-                int across = Math.Max(1, jobs[i].Grid.Count.x), count = rows[i] * across;
-                _slices[i].Slice = new uint4((uint)(jobs[i].NextRow * across), (uint)count, (uint)across, (uint)cells);
-                _slices[i].FirstCorner = (uint)corners;
                 jobs[i].SetAccuracy(ref _slices[i], ref _pictures[i]);
-                cells += count;
-                corners += TubeKernels.CornersOf(count, across);
-            }
+            var (cells, corners) = TubePose.SetSlices(_slices, jobs.Select((job, i) =>
+                ((long)job.NextRow * job.Grid.Count.x, rows[i] * job.Grid.Count.x)).ToArray());
             _poses.Upload(_slices);
             _amplitudePoses.Upload(_pictures);
             _shader.SetInts(TubeIDs._BaseCounts, cells, corners);
-            return (cells, corners);
+            var traced = jobs.Where((job, i) => rows[i] > 0).ToArray();
+            Rounds.Trace(cells, corners, traced.Max(job => Math.Max(job.MaxLevel, job.EmptyLevel)) + 1,
+                traced.Max(job => job.MaxBisections));
         }
 
         public void Dispose()
@@ -173,7 +131,7 @@ namespace Glint
             Rounds.Dispose();
             _poses.Dispose();
             _amplitudePoses.Dispose();
-            _beginning.Dispose();
+            _revealed.Dispose();
         }
     }
 }

@@ -36,8 +36,6 @@ namespace Glint
         readonly TubeLists _lists = new TubeLists();
         readonly DeviceBuffer<uint> _points = new DeviceBuffer<uint>("words of points");
         readonly DeviceBuffer<BorderRay> _borderRays = new DeviceBuffer<BorderRay>("rays of border cells");
-        readonly DeviceBuffer<uint> _revealed = new DeviceBuffer<uint>("parts of cells");
-        readonly DeviceBuffer<uint> _revealedByNow = new DeviceBuffer<uint>("parts of cells");
         readonly DispatchPacer _pacer = new DispatchPacer();
 
         /// <param name="shader">Shaders/Amplitude.compute.</param>
@@ -158,10 +156,7 @@ namespace Glint
             _kernels.Rounds.SetLists(_lists);
             _borderRays.Reserve((long)AmplitudeKernels.BorderRays * capacity);
             _kernels.SetPoints(_points, points, _borderRays);
-            int words = jobs.Max(AmplitudeKernels.RevealedWordsOf);
-            _revealed.Reserve((long)jobs.Length * words);
-            _revealedByNow.Reserve((long)jobs.Length * words);
-            _kernels.SetRevealed(_revealed, _revealedByNow, words);
+            _kernels.BindRevealed(jobs);
         }
 
         // Traces rows of all poses, slice by slice, until each pose meets its tolerance or has made its last attempt.
@@ -217,8 +212,6 @@ namespace Glint
             _lists.Dispose();
             _points.Dispose();
             _borderRays.Dispose();
-            _revealed.Dispose();
-            _revealedByNow.Dispose();
         }
     }
 }
