@@ -133,10 +133,7 @@ namespace Glint.Tests
         public void Step_OfPosesThatOverlap_GivesTheRowsOfOneAtATime([NUnit.Framework.Range(0, 4)] int between)
         {
             var plan = new SweepPlan(new double[] { 0, 1, 2, 3, 4, 20, 40 });
-            var expected = new List<string>();
-            using (var run = Sweep(plan))
-                while (!run.IsComplete)
-                    expected.Add(Describe(run.Step()));
+            var expected = RowsOneAtATime(plan);
             var rows = new List<string>();
             int ahead = 0;
             using (var run = Sweep(plan))
@@ -157,6 +154,15 @@ namespace Glint.Tests
             Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
         }
 
+        List<string> RowsOneAtATime(SweepPlan plan)
+        {
+            var rows = new List<string>();
+            using (var run = Sweep(plan))
+                while (!run.IsComplete)
+                    rows.Add(Describe(run.Step()));
+            return rows;
+        }
+
         void SetTolerance()
         {
             var settings = TestRadar.Settings();
@@ -169,10 +175,7 @@ namespace Glint.Tests
         {
             var plan = new SweepPlan(new double[] { 0, 1, 2, 3, 4, 20, 40 });
             SetTolerance();
-            var expected = new List<string>();
-            using (var run = Sweep(plan))
-                while (!run.IsComplete)
-                    expected.Add(Describe(run.Step()));
+            var expected = RowsOneAtATime(plan);
             var rows = new List<string>();
             var shown = new List<double>();
             using (var run = Sweep(plan))
@@ -234,10 +237,7 @@ namespace Glint.Tests
             var plan = new SweepPlan(new double[] { 0, 10, 20, 30, 40 });
             if (ofTubes)
                 SetTolerance();
-            var expected = new List<string>();
-            using (var run = Sweep(plan))
-                while (!run.IsComplete)
-                    expected.Add(Describe(run.Step()));
+            var expected = RowsOneAtATime(plan);
             var rows = new List<string>();
             using (var cancel = new CancellationTokenSource())
             using (var run = Sweep(plan))
