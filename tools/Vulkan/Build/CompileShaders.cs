@@ -8,6 +8,7 @@ using System.Linq;
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.RegularExpressions;
+using System.Threading.Tasks;
 using Microsoft.Build.Framework;
 using Microsoft.Build.Utilities;
 
@@ -16,7 +17,7 @@ using Microsoft.Build.Utilities;
 /// own path below Output. It holds KERNEL.spv for each kernel, and sources.json with the SHA-256 of all source files
 /// and the names of each kernel's byte address buffers, which SPIR-V does not tell from structured buffers of uint.
 /// </summary>
-public sealed class CompileShaders : Task
+public sealed class CompileShaders : Microsoft.Build.Utilities.Task
 {
     const string Compiler = "glslangValidator";
 
@@ -39,55 +40,78 @@ public sealed class CompileShaders : Task
         if (Directory.Exists(Output))
             Directory.Delete(Output, true); // removes kernels that no longer exist
         Directory.CreateDirectory(Output);
-        for (int i = 0; i < Sources.Length && !Log.HasLoggedErrors; i++)
-            Compile(Sources[i].GetMetadata("FullPath"));
+        var files = Sources.Select(source => new ShaderFile(Relative(source.GetMetadata("FullPath")), Root)).ToArray();
+        Parallel.ForEach(files.SelectMany(file => file.Kernels), Compile);
+        foreach (var file in files.TakeWhile(_ => !Log.HasLoggedErrors))
+            Finish(file);
         return !Log.HasLoggedErrors;
     }
 
-    void Compile(string fullPath)
+    // A .compute file.
+    sealed class ShaderFile
     {
-        string path = Relative(fullPath);
-        string folder = Path.Combine(Output, path);
-        var read = new SortedSet<string>(StringComparer.Ordinal) { path };
-        var kernels = new List<string>();
-        var byteAddress = new List<string>();
-        foreach (var match in File.ReadLines(fullPath).Select(line => KernelLine.Match(line))
-            .Where(match => match.Success))
+        public readonly string Path;       // from the base folder
+        public readonly Kernel[] Kernels;
+
+        public ShaderFile(string path, string root)
         {
-            Directory.CreateDirectory(folder);
-            string kernel = match.Groups[1].Value;
-            var defines = match.Groups[2].Value.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
-            if (!CompileKernel(path, kernel, defines, Path.Combine(folder, kernel + ".spv"), read))
-                return;
-            kernels.Add(kernel);
-            byteAddress.Add(ByteAddressBuffers(path, defines));
+            Path = path;
+            Kernels = File.ReadLines(System.IO.Path.Combine(root, path)).Select(line => KernelLine.Match(line))
+                .Where(match => match.Success).Select(match => new Kernel(this, match)).ToArray();
         }
-        if (kernels.Count == 0)
-            Log.LogError(null, null, null, fullPath, 0, 0, 0, 0, "no kernel; declare one as in: #pragma kernel Trace");
-        else
-            File.WriteAllText(Path.Combine(folder, "sources.json"), Json(kernels, byteAddress, read));
     }
 
-    bool CompileKernel(string path, string kernel, string[] defines, string output, SortedSet<string> read)
+    // A kernel of a file, and what its compiler has said.
+    sealed class Kernel
     {
-        string dependencies = output + ".d";
-        var arguments = Arguments(defines, "-V", "-e", kernel, "--auto-map-bindings", "--hlsl-iomap",
-            "--depfile", dependencies, "-o", output, path);
+        public readonly ShaderFile File;
+        public readonly string Name;
+        public readonly string[] Defines;
+        public string[] Read = { };        // source files
+        public string ByteAddressBuffers;
+        public string Problem;             // null: none
 
+        public Kernel(ShaderFile file, Match declared)
+        {
+            File = file;
+            Name = declared.Groups[1].Value;
+            Defines = declared.Groups[2].Value.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
+        }
+    }
+
+    string FolderOf(ShaderFile file) => Path.Combine(Output, file.Path);
+
+    void Compile(Kernel kernel)
+    {
+        string folder = FolderOf(kernel.File), output = Path.Combine(folder, kernel.Name + ".spv"), dependencies = output + ".d";
+        Directory.CreateDirectory(folder);
+        var arguments = Arguments(kernel.Defines, "-V", "-e", kernel.Name, "--auto-map-bindings", "--hlsl-iomap",
+            "--depfile", dependencies, "-o", output, kernel.File.Path);
         string messages = Run(arguments, out int exitCode);
-        if (messages == null)
-            return false;
         if (exitCode != 0 || !File.Exists(output))
         {
-            Report(path, kernel, messages);
-            return false;
+            kernel.Problem = messages;
+            return;
         }
         // "OUTPUT: FILE FILE ...", spaces within a name escaped
         string list = File.ReadAllText(dependencies).Trim().Substring(output.Replace(" ", "\\ ").Length + 1);
-        foreach (Match file in Regex.Matches(list, @"(?:\\ |\S)+"))
-            read.Add(Relative(Path.Combine(Root, file.Value.Replace("\\ ", " "))));
+        kernel.Read = Regex.Matches(list, @"(?:\\ |\S)+").Cast<Match>()
+            .Select(file => Relative(Path.Combine(Root, file.Value.Replace("\\ ", " ")))).ToArray();
         File.Delete(dependencies);
-        return true;
+        kernel.ByteAddressBuffers = ByteAddressBuffers(kernel.File.Path, kernel.Defines);
+    }
+
+    // Reports the first problem of a file, or writes what its kernels were made of.
+    void Finish(ShaderFile file)
+    {
+        var refused = file.Kernels.FirstOrDefault(kernel => kernel.Problem != null);
+        if (refused != null)
+            Report(refused);
+        else if (file.Kernels.Length == 0)
+            Log.LogError(null, null, null, Path.Combine(Root, file.Path), 0, 0, 0, 0,
+                "no kernel; declare one as in: #pragma kernel Trace");
+        else
+            File.WriteAllText(Path.Combine(FolderOf(file), "sources.json"), Json(file));
     }
 
     /// <summary>Names of the byte address buffers that a kernel's source declares, as JSON strings.</summary>
@@ -125,34 +149,36 @@ public sealed class CompileShaders : Task
         }
         catch (Win32Exception)
         {
-            Log.LogError(Compiler + " is not installed: apt-get install glslang-tools");
-            return null;
+            exitCode = 1;
+            return Compiler + " is not installed: apt-get install glslang-tools";
         }
     }
 
-    void Report(string path, string kernel, string messages)
+    void Report(Kernel kernel)
     {
         bool found = false;
-        foreach (var match in messages.Split('\n').Select(line => ErrorLine.Match(line.Trim()))
+        foreach (var match in kernel.Problem.Split('\n').Select(line => ErrorLine.Match(line.Trim()))
             .Where(match => match.Success))
         {
             string file = Path.GetFullPath(Path.Combine(Root, match.Groups[1].Value));
             Log.LogError(null, null, null, file, int.Parse(match.Groups[2].Value), 0, 0, 0,
-                "kernel " + kernel + ": " + match.Groups[3].Value.Trim());
+                "kernel " + kernel.Name + ": " + match.Groups[3].Value.Trim());
             found = true;
         }
         if (!found)
-            Log.LogError(null, null, null, Path.Combine(Root, path), 0, 0, 0, 0, "kernel " + kernel + ": "
-                + (messages.Contains("Entry point not found") ? "there is no function of that name" : messages.Trim()));
+            Log.LogError(null, null, null, Path.Combine(Root, kernel.File.Path), 0, 0, 0, 0, "kernel " + kernel.Name + ": "
+                + (kernel.Problem.Contains("Entry point not found") ? "there is no function of that name"
+                    : kernel.Problem.Trim()));
     }
 
-    string Json(List<string> kernels, List<string> byteAddress, SortedSet<string> read)
+    string Json(ShaderFile file)
     {
+        var read = new SortedSet<string>(file.Kernels.SelectMany(kernel => kernel.Read), StringComparer.Ordinal) { file.Path };
         var text = new StringBuilder("{\n  \"kernels\": [");
-        text.Append(string.Join(", ", kernels.Select(kernel => '"' + kernel + '"')));
+        text.Append(string.Join(", ", file.Kernels.Select(kernel => '"' + kernel.Name + '"')));
         text.Append("],\n  \"byteAddressBuffers\": {\n");
         text.Append(string.Join(",\n",
-            kernels.Select((kernel, i) => "    \"" + kernel + "\": [" + byteAddress[i] + ']')));
+            file.Kernels.Select(kernel => "    \"" + kernel.Name + "\": [" + kernel.ByteAddressBuffers + ']')));
         text.Append("\n  },\n  \"sources\": {\n");
         text.Append(
             string.Join(",\n", read.Select(path => "    \"" + path + "\": \"" + Hash(Path.Combine(Root, path)) + '"')));
