@@ -25,6 +25,7 @@ struct CornerPosition
 {
     float2 OnGrid;         // base cells
     uint Number;
+    uint Whole;            // number in the round before of the cell that was divided
     bool IsNeeded;
     bool IsCounted;        // dispatches that share a base corner count it once
 };
@@ -39,7 +40,7 @@ uint HalfOf(float value)
 
 CornerPosition PositionOf(uint index)
 {
-    CornerPosition position;
+    CornerPosition position = (CornerPosition)0;
     position.Number = index;
     position.IsCounted = true;
     if (_Round == 0)
@@ -60,16 +61,16 @@ CornerPosition PositionOf(uint index)
     Cell cell = LoadCell(BLOCK_CELLS * block);
     position.Number = CornerOfBlock(block, at);
     position.OnGrid = SideOfCell(cell) * (cell.Position + at);
+    position.Whole = cell.Whole;
     position.IsNeeded = true;
     return position;
 }
 
 // Takes what the ray through one of the four known corners of a divided cell has met over from the round before.
-void CopyCorner(uint block, uint corner)
+void CopyCorner(uint whole, uint block, uint corner)
 {
     uint2 at = uint2(corner & 1, corner >> 1);
-    uint from = CornerOfCell(_TubeCells[ElementOfList(TUBE_CELLS, BLOCK_CELLS * block, BLOCK_CELLS, _ListCapacity.y)].Whole, at,
-        _Round - 1) * _MaxBounces, to = CornerOfBlock(block, 2 * at) * _MaxBounces;
+    uint from = CornerOfCell(whole, at, _Round - 1) * _MaxBounces, to = CornerOfBlock(block, 2 * at) * _MaxBounces;
     uint bounces = BouncesOf(_CornersBefore[from]);
     for (uint i = 0; i < max(bounces, 1); i++)
         _Corners[to + i] = _CornersBefore[from + i];
@@ -85,7 +86,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (!position.IsNeeded)
         return;
     if (_Round > 0 && index % NEW_CORNERS < BLOCK_CELLS)
-        CopyCorner(index / NEW_CORNERS, index % NEW_CORNERS);
+        CopyCorner(position.Whole, index / NEW_CORNERS, index % NEW_CORNERS);
     uint first = position.Number * _MaxBounces;
     TubePath tube = BeginTube(position.OnGrid);
     SurfacePoint at;

@@ -77,7 +77,7 @@ namespace Glint
         // The mean is that of the radar's polarisation, for which alone the factors are.
         static Sigma0 MeanOf(float[] means, int view)
         {
-            double mean = means.Skip(view * Facets).Take(Facets).Sum(sigma => (double)sigma) / Facets;
+            double mean = new ArraySegment<float>(means, view * Facets, Facets).Sum(sigma => (double)sigma) / Facets;
             return new Sigma0(mean, mean, mean);
         }
     }
