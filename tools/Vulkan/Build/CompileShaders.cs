@@ -19,7 +19,7 @@ using Microsoft.Build.Utilities;
 /// </summary>
 public sealed class CompileShaders : Microsoft.Build.Utilities.Task
 {
-    const string Compiler = "glslangValidator";
+    const string Compiler = "glslangValidator", IsMissing = Compiler + " is not installed: apt-get install glslang-tools";
 
     // "ERROR: Shaders/Trace.compute:12: 'x' : unknown variable"
     static readonly Regex ErrorLine = new Regex(@"^ERROR: (.+?):(\d+): (.*)$");
@@ -150,12 +150,17 @@ public sealed class CompileShaders : Microsoft.Build.Utilities.Task
         catch (Win32Exception)
         {
             exitCode = 1;
-            return Compiler + " is not installed: apt-get install glslang-tools";
+            return IsMissing;
         }
     }
 
     void Report(Kernel kernel)
     {
+        if (kernel.Problem == IsMissing)
+        {
+            Log.LogError(IsMissing);
+            return;
+        }
         bool found = false;
         foreach (var match in kernel.Problem.Split('\n').Select(line => ErrorLine.Match(line.Trim()))
             .Where(match => match.Success))
