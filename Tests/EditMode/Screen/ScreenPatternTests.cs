@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -89,6 +90,97 @@ namespace Glint.Tests
             Assert.That(20 * Math.Log10(sinc.RainAmplitude / gaussian), Is.EqualTo(10 * Math.Log10(
                 width * Math.PI / 3 / (0.5 * Math.Sqrt(Math.PI / (2 * exponent))))).Within(0.1));
         }
+
+        // Both cuts 3 dB below the gain in the middle of the beam: 6 dB one way, 12 dB out and back.
+        [Test]
+        public void Table_BelowItsGain_WeakensReflectors() => AssertTwelveDecibels(TableRadar(),
+            bench => bench.Tracer.AddPoints(new[] { bench.Geometry.PointOf(ScreenBench.At(90, Range),
+                new double3(0, ScreenBench.Height, 0), 1e5) }, 1));
+
+        [Test]
+        public void Table_BelowItsGain_WeakensMeshes()
+        {
+            double3 antenna = new double3(0, ScreenBench.Height, 0);
+            float3 At(double y, double z) => (float3)(antenna + new double3(Range, y, z));
+            var wall = new TriangleMesh(new[] { At(-2, -9), At(-2, 9), At(2, 9), At(2, -9) }, new[] { 0, 1, 2, 0, 2, 3 });
+            using (var targets = new ScreenTargets("test", new ScreenGeometry(TableRadar(), "test", TableOf(0))))
+            {
+                targets.SetScene(new RadarScene(new MeshInstance { Mesh = wall, ToWorld = Affine.Identity }), new bool[1]);
+                AssertTwelveDecibels(TableRadar(), bench => bench.Tracer.AddTargets(targets, antenna, 0, 0));
+            }
+        }
+
+        [Test]
+        public void Table_BelowItsGain_WeakensTheSea()
+        {
+            var waves = SeaSettings.Default;
+            (waves.WindSpeed, waves.TileSize, waves.GridSize, waves.Choppiness) = (10, 256, 256, 0);
+            var geometry = new ScreenGeometry(TableRadar(), "test", TableOf(0));
+            using (var sea = new ScreenSea(TestKernels.SeaField, "test", geometry, waves, SeaClutterSettings.On))
+            {
+                sea.Update(0);
+                AssertTwelveDecibels(TableRadar(), bench => bench.Tracer.AddSea(sea, new double3(0, 200, 0), 0));
+            }
+        }
+
+        [Test]
+        public void Table_BelowItsGain_WeakensRain()
+        {
+            var radar = TableRadar();
+            radar.RainRate = 50;
+            AssertTwelveDecibels(radar, bench => bench.Tracer.AddRain());
+        }
+
+        // The radar equation with the table's own level in the middle, once each way.
+        [Test]
+        public void Table_BelowItsGain_HasTheRadarEquation()
+        {
+            using (var bench = new ScreenBench(TableRadar(), TableOf(-3), (90, Range, 1e5)))
+            {
+                bench.Turn(60, 120);
+                double gainDb = 10 * Math.Log10(26000 / bench.Geometry.BeamWidth / 40) - 6, wave = 299792458 / 9.41e9,
+                    noise = 1.380649e-23 * 290 / 80e-9 * Math.Pow(10, 0.5), expected = 2 * gainDb
+                        + 10 * Math.Log10(1e6 * wave * wave * 1e5 / (Math.Pow(4 * Math.PI, 3) * Math.Pow(Range, 4) * noise));
+                Assert.That(bench.Levels()[bench.Element(Spoke, (int)(Range / bench.Geometry.CellSize))],
+                    Is.EqualTo(expected).Within(0.05));
+                Assert.That(bench.Geometry.OverNoiseDb(1e5, Range), Is.EqualTo(expected).Within(0.01));
+            }
+        }
+
+        // The power of what is 40 dB over noise, with both cuts at the gain and 3 dB below it in the middle.
+        static void AssertTwelveDecibels(in ScreenRadar radar, Action<ScreenBench> add)
+        {
+            float[] full = LevelsOf(radar, 0, add), weak = LevelsOf(radar, -3, add);
+            int[] strong = Enumerable.Range(0, full.Length).Where(i => full[i] > 40).ToArray();
+            Assert.That(strong, Is.Not.Empty);
+            double Power(float[] levels) => strong.Sum(i => Math.Pow(10, levels[i] / 10));
+            Assert.That(10 * Math.Log10(Power(full) / Power(weak)), Is.EqualTo(12).Within(0.1));
+        }
+
+        static float[] LevelsOf(in ScreenRadar radar, double level, Action<ScreenBench> add)
+        {
+            using (var bench = new ScreenBench(radar, TableOf(level)))
+            {
+                foreach (double turns in new[] { 0.23, 0.27 })
+                {
+                    bench.Tracer.Begin(turns);
+                    add(bench);
+                    bench.Tracer.Finish(bench.Receiver);
+                }
+                return bench.Levels();
+            }
+        }
+
+        static ScreenRadar TableRadar()
+        {
+            var radar = ScreenBench.Small(Spokes, 256);
+            (radar.Pattern, radar.Power, radar.RangeScale) = (ScreenPattern.Table, 1e6, 6000);
+            return radar;
+        }
+
+        // 40 degrees in elevation at one level, dB, and 2 degrees in azimuth below the same one.
+        static string TableOf(double level) => FormattableString.Invariant(
+            $"{EchoAntenna.TableHeader}\n-20,-200,{level}\n-3,{level - 40},{level}\n0,{level},{level}\n3,{level - 40},{level}\n20,-200,{level}\n");
 
         [TestCase("angle,azimuth,elevation", "must begin with the line angle_deg,azimuth_db,elevation_db")]
         [TestCase("angle_deg,azimuth_db,elevation_db\n0,0", "must be three numbers")]

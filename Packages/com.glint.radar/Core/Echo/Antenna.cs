@@ -8,7 +8,6 @@ namespace Glint.Core
         // Square degrees: the gain times the product of the beam widths of an antenna of usual efficiency.
         const double GainWidths = 26000;
 
-        readonly double _peak;
         readonly AntennaPattern _azimuth, _elevation;
 
         /// <param name="gainDb">Gain in the middle of the beam, decibels of an isotropic antenna.</param>
@@ -16,9 +15,12 @@ namespace Glint.Core
         public Antenna(double gainDb, AntennaPattern azimuth, AntennaPattern elevation)
         {
             Require.Within("antenna", "gain", gainDb, "dB", Interval.Closed(-50, 100));
-            _peak = System.Math.Sqrt(PowerLevel.FromDecibels(gainDb));
+            Peak = System.Math.Sqrt(PowerLevel.FromDecibels(gainDb));
             (_azimuth, _elevation) = (azimuth, elevation);
         }
+
+        /// <summary>The field one way where both patterns are 1: its square is the gain.</summary>
+        public double Peak { get; }
 
         /// <summary>Usual gain of an antenna of these half-power beam widths, decibels.</summary>
         public static double UsualGainDb(double azimuthWidthDegrees, double elevationWidthDegrees) =>
@@ -28,6 +30,6 @@ namespace Glint.Core
         /// <param name="azimuth">Angle from the middle of the beam, radians, to the right.</param>
         /// <param name="elevation">Angle from the middle of the beam, radians, upwards.</param>
         public Complex Field(double azimuth, double elevation) =>
-            _peak * _azimuth.Field(azimuth) * _elevation.Field(elevation);
+            Peak * _azimuth.Field(azimuth) * _elevation.Field(elevation);
     }
 }

@@ -27,6 +27,7 @@ namespace Glint.Core
         const double WaterFactor = 0.93;
 
         readonly RadarEquation _equation;
+        readonly AntennaPattern _elevation;
         readonly double _waveNumber;
 
         /// <param name="table">Text of the pattern's table: <see cref="EchoAntenna.TableHeader"/>.</param>
@@ -43,17 +44,18 @@ namespace Glint.Core
             Units = UnitsOfNoise / Math.Sqrt(NoisePower);
             _equation = new RadarEquation(radar.Power, radar.Frequency, radar.LossDb);
             BeamWidth = pattern.Azimuth.Width;
-            Antenna = new Antenna(pattern.UsualGainDb, pattern.Azimuth, pattern.Elevation);
+            _elevation = pattern.Elevation;
+            Antenna = new Antenna(pattern.UsualGainDb, pattern.Azimuth, _elevation);
             _waveNumber = 2 * Math.PI / Signal.Wavelength(radar.Frequency);
             Beam = BeamOf(pattern.Azimuth, radar.Spokes);
             Elevation = Enumerable.Range(0, ElevationSteps + 1).Select(step =>
-                (float)pattern.Elevation.Field(Math.PI * ((double)step / ElevationSteps - 0.5)).Real).ToArray();
+                (float)_elevation.Field(Math.PI * ((double)step / ElevationSteps - 0.5)).Real).ToArray();
             PulseLength = Signal.SpeedOfLight / 2 * pulse;
             Pulse = Enumerable.Range(0, radar.Cells).Select(cell => 1 - cell * CellSize / PulseLength)
                 .TakeWhile((weight, cell) => cell == 0 || weight > 0).Select(weight => (float)weight).ToArray();
             NoiseGain = 1 / (1 + 2 * Pulse.Skip(1).Sum(weight => (double)weight * weight));
             FillFactor = Math.Sqrt(2.0 / 3 * PulseLength / CellSize * NoiseGain);
-            AmplitudeAtOne = Amplitude(1, 1, 0);
+            AmplitudeAtOne = Amplitude(1, 1, 1);
             RainAmplitude = RainOf(radar);
             RainLoss = Math.Log(10) / 20 / 1000 * RainAttenuation.DecibelsAKilometre(radar.Frequency, radar.RainRate,
                 radar.Polarisation == ScreenPolarisation.Horizontal);
@@ -110,7 +112,10 @@ namespace Glint.Core
         /// </summary>
         public double FillFactor { get; }
 
-        /// <summary>Amplitude in units of an echo of one square metre at one metre, in the middle of the beam.</summary>
+        /// <summary>
+        /// Amplitude in units of an echo of one square metre at one metre, where the pattern is 1: without
+        /// <see cref="Beam"/> and <see cref="Elevation"/>.
+        /// </summary>
         public double AmplitudeAtOne { get; }
 
         /// <summary>
@@ -154,13 +159,20 @@ namespace Glint.Core
                 Position = (float3)way, Cell = Math.Min((int)(shown / CellSize), Radar.Cells - 1),
                 Spoke = SpokeOf(way)
             };
-            double amplitude = Amplitude(section, range, Math.Atan2(way.y - ClutterGeometry.DropAt(distance), distance))
-                * Math.Exp(-2 * RainLoss * range) * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);
+            double elevation = Math.Atan2(way.y - ClutterGeometry.DropAt(distance), distance),
+                amplitude = Amplitude(section, range, _elevation.Field(elevation).Real) * Math.Exp(-2 * RainLoss * range)
+                    * SeaFactor.Squared(antenna.y, position.y, distance, Radar.SeaReflection, _waveNumber);
             double phase = 2 * _waveNumber * range;
             point.Amplitude = (float)amplitude;
             point.Field = (float2)new double2(amplitude * Math.Cos(phase), amplitude * Math.Sin(phase));
             return point;
         }
+
+        /// <summary>Level of a reflector in the middle of the beam in free space, dB over noise.</summary>
+        /// <param name="section">Cross section, square metres.</param>
+        /// <param name="range">Metres.</param>
+        public double OverNoiseDb(double section, double range) => 20 * Math.Log10(
+            Beam[HalfBeam] * Amplitude(section, range, Elevation[ElevationSteps / 2]) / UnitsOfNoise);
 
         /// <summary>Whether a smooth sea hides heights from each other.</summary>
         public static bool IsBehindHorizon(double height, double other, double distance) =>
@@ -208,10 +220,10 @@ namespace Glint.Core
             return FillFactor * AmplitudeAtOne * Math.Sqrt(density * angle * CellSize) / CellSize;
         }
 
-        // In units.
-        double Amplitude(double section, double range, double elevation)
+        // In units. The beam brings the pattern in azimuth.
+        double Amplitude(double section, double range, double elevationField)
         {
-            var field = Antenna.Field(0, elevation);
+            double field = Antenna.Peak * elevationField;
             return Units * _equation.Amplitude(field, field, Math.Sqrt(section), range).Real;
         }
 

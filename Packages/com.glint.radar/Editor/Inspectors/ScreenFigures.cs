@@ -57,9 +57,8 @@ namespace Glint.Editor
                 "Width of the beam between the points of half power.");
             yield return ("Noise", FormattableString.Invariant(
                 $"{PowerLevel.ToDecibels(geometry.NoisePower):0.0} dBW"), "Mean power of the receiver's noise.");
-            double ofOne = 20 * Math.Log10(geometry.AmplitudeAtOne / ScreenGeometry.UnitsOfNoise);
             yield return ("10 m2 over noise", FormattableString.Invariant(
-                    $"{ofOne + 10 - 40 * Math.Log10(radar.RangeScale):0.0} dB"),
+                    $"{geometry.OverNoiseDb(10, radar.RangeScale):0.0} dB"),
                 "A reflector of 10 m2 at the edge of the picture in free space.");
             if (screen.PointCount > 0)
                 yield return ("Meshes", FormattableString.Invariant(
