@@ -70,6 +70,26 @@ namespace Glint.Tests
             Assert.That(interference.PulsesOf(256, other).z, Is.Zero, "behind the horizon");
         }
 
+        // Over a curved earth antennas of one height see each other below the horizontal, both by half of the arc between
+        // them: 40 km of 8,495 km are 0.135 degrees. The field falls from 1 at -0.2 degrees to 0 at 0.2.
+        [Test]
+        public void RadarsOfOneHeight_SeeEachOtherBelowTheHorizontal()
+        {
+            const string table = EchoAntenna.TableHeader + "\n-180,0,-300\n-0.2,0,0\n0.2,0,-300\n180,0,-300\n",
+                level = EchoAntenna.TableHeader + "\n-180,0,0\n0.2,0,0\n180,0,0\n";
+            var radar = PatternOfTable();
+            double Field(string pattern)
+            {
+                var geometry = new ScreenGeometry(radar, "test", pattern);
+                var other = Other(40000, 90, 2000);
+                other.AntennaHeight = 100;
+                return new ScreenInterference(geometry).PulsesOf(256, other).z
+                    / Math.Pow(geometry.Antenna.Peak, 2);
+            }
+            double below = 40000 / (2 * 4 / 3.0 * 6371000) * 180 / Math.PI, field = (0.2 + below) / 0.4;
+            Assert.That(Field(table) / Field(level), Is.EqualTo(field * field).Within(1e-3));
+        }
+
         [Test]
         public void Frames_OfAnyLength_GiveTheSameBits()
         {

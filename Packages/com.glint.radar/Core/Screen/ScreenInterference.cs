@@ -47,13 +47,13 @@ namespace Glint.Core
             if (!(range > 0) || ScreenGeometry.IsBehindHorizon(other.AntennaHeight, other.AntennaHeight + other.Offset.y,
                 distance))
                 return 0;
-            double bearing = Math.Atan2(other.Offset.x, other.Offset.z),
-                elevation = Math.Atan2(other.Offset.y - ClutterGeometry.DropAt(distance), distance),
+            double bearing = Math.Atan2(other.Offset.x, other.Offset.z), drop = ClutterGeometry.DropAt(distance),
                 beam = 2 * Math.PI * _geometry.InTurn(spoke) / _geometry.Radar.Spokes,
                 otherBeam = 2 * Math.PI * (other.StartTurns + time * other.TurnsAMinute / 60);
             var antenna = _geometry.Antenna;
-            var gain = antenna.Field(bearing - beam, elevation)
-                * antenna.Field(bearing + Math.PI - otherBeam, -elevation);
+            // Each is lower by the drop in the other's horizontal plane.
+            var gain = antenna.Field(bearing - beam, Math.Atan2(other.Offset.y - drop, distance))
+                * antenna.Field(bearing + Math.PI - otherBeam, Math.Atan2(-other.Offset.y - drop, distance));
             return _fieldAtOne * Math.Sqrt(other.Power) / range * Math.Exp(-_geometry.RainLoss * range) * gain.Magnitude;
         }
     }
