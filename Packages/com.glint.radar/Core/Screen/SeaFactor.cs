@@ -5,8 +5,8 @@ namespace Glint.Core
 {
     /// <summary>
     /// Interference of the direct echo with its images in a smooth sea: the field at a reflector is F times that in free
-    /// space, F = 1 - rho exp(j k delta), and the echo F^2 times. The earth is curved; the divergence of the reflected
-    /// rays is left out, which matters near the horizon.
+    /// space, F = 1 - rho exp(j k delta), and that of the echo F^2 times. The earth is curved; the divergence of the
+    /// reflected rays is left out, which matters near the horizon.
     /// </summary>
     public static class SeaFactor
     {
