@@ -30,7 +30,7 @@ namespace Glint.Editor
         {
             // Of a run before.
             foreach (string name in new[] { ResultsFolder.JsonName, TableName, DetectionsName })
-                File.Delete(Path.Combine(_folder, name));
+                At(name, File.Delete);
             var detected = _line.IsGiven(ScreenOptions.Detect) ? _screen.ReadDetections() : null;
             Write(PictureName, file => WritePicture(file, detected));
             var turn = ScreenTurn.Of(_screen.Geometry, _screen.ReadLevels(), _screen.ReadVideo().Select(video => video.x),
@@ -46,17 +46,25 @@ namespace Glint.Editor
 
         void Write(string name, Action<Stream> write)
         {
-            string path = Path.Combine(_folder, name);
-            try
+            At(name, path =>
             {
                 using (var file = File.Create(path))
                     write(file);
+            });
+            _paths.Add(Path.Combine(_folder, name));
+        }
+
+        void At(string name, Action<string> change)
+        {
+            string path = Path.Combine(_folder, name);
+            try
+            {
+                change(path);
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
             {
                 throw Refusal(path, error, "choose another results folder");
             }
-            _paths.Add(path);
         }
 
         /// <summary>The refusal of a path that takes no file.</summary>
@@ -83,7 +91,8 @@ namespace Glint.Editor
         byte[] Pixels()
         {
             // The texture of a project with linear colours is not encoded as PNG files are.
-            if (_screen.Picture == null || QualitySettings.activeColorSpace == ColorSpace.Linear)
+            if (_screen.Picture == null || QualitySettings.activeColorSpace == ColorSpace.Linear
+                || !SystemInfo.supportsAsyncGPUReadback)
                 return _screen.ReadPicture();
             var request = AsyncGPUReadback.Request(_screen.Picture);
             request.WaitForCompletion();

@@ -204,6 +204,31 @@ public sealed class ScreenCommandTests
         Assert.That(code, Is.EqualTo(1));
     }
 
+    // A file that another program keeps open is no more deleted than a folder.
+    [Test]
+    public void FilesOfARunBefore_ThatCannotBeDeleted_AreRefusedWithTheirName()
+    {
+        Directory.CreateDirectory(Path.Combine(_folder, "detections.csv"));
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--turns", "1", "--fps", "2", "--out", _folder);
+        Assert.That(error, Does.Contain("detections.csv: cannot be written: ").And.Contain("choose another results folder"));
+        Assert.That(code, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Picture_OfADeviceWithoutReadback_IsThatOfTheProcessor()
+    {
+        GraphicsDevice.HasAsyncReadback = false;
+        try
+        {
+            Run("--turns", "1", "--fps", "2");
+        }
+        finally
+        {
+            GraphicsDevice.HasAsyncReadback = true;
+        }
+        Assert.That(new FileInfo(Path.Combine(_folder, "picture.png")).Length, Is.GreaterThan(96));
+    }
+
     [Test]
     public void RangeScale_BeyondTheUnambiguousRange_IsRefused()
     {
