@@ -226,6 +226,28 @@ namespace Glint.Tests
             Assert.That(_screen.ReadLevels().Max(), Is.LessThan(20));
             Assert.That(() => other.PulseRate = 0, Throws.InstanceOf<GlintException>()
                 .With.Message.StartsWith("InterferingRadar of 'Other': a pulse rate of 0 Hz"));
+            foreach (float value in new[] { float.NaN, float.PositiveInfinity })
+            {
+                Assert.That(() => other.TurnsAMinute = value, Throws.InstanceOf<GlintException>()
+                    .With.Message.StartsWith("InterferingRadar of 'Other': a turn rate of "));
+                Assert.That(() => other.StartBearing = value, Throws.InstanceOf<GlintException>()
+                    .With.Message.StartsWith("InterferingRadar of 'Other': a start bearing of "));
+            }
+            Assert.That((other.TurnsAMinute, other.StartBearing), Is.EqualTo((0f, (float)bearing + 180)));
+        }
+
+        [Test]
+        public void Messages_HaveNumbersOfNoLanguage()
+        {
+            using (new ForeignCulture())
+            {
+                var reflector = Reflector(Vector3.zero, 1);
+                Assert.That(() => reflector.CrossSection = -0.5, Throws.InstanceOf<GlintException>()
+                    .With.Message.Contains(" -0.5 m2"));
+                var other = Make("Other", Vector3.zero).AddComponent<InterferingRadar>();
+                Assert.That(() => other.Power = -0.5f, Throws.InstanceOf<GlintException>()
+                    .With.Message.Contains(" -0.5 W"));
+            }
         }
 
         [Test]

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Glint.Core;
 using Unity.Mathematics;
@@ -41,10 +42,20 @@ namespace Glint
         public float PulseRate { get => _pulseRate; set => _pulseRate = Positive("pulse rate", value, "Hz"); }
 
         /// <summary>Turns of its antenna a minute; 0: it stands still.</summary>
-        public float TurnsAMinute { get => _turnsAMinute; set => _turnsAMinute = value; }
+        /// <exception cref="GlintException">It is not finite.</exception>
+        public float TurnsAMinute
+        {
+            get => _turnsAMinute;
+            set => _turnsAMinute = Finite("turn rate", value, "a minute");
+        }
 
         /// <summary>True bearing of its antenna when the screen's own first passes north, degrees.</summary>
-        public float StartBearing { get => _startBearing; set => _startBearing = value; }
+        /// <exception cref="GlintException">It is not finite.</exception>
+        public float StartBearing
+        {
+            get => _startBearing;
+            set => _startBearing = Finite("start bearing", value, "deg");
+        }
 
         /// <summary>It as a screen sees it.</summary>
         /// <param name="offset">From the screen's antenna, metres: x to the east, y up, z to the north.</param>
@@ -56,7 +67,13 @@ namespace Glint
         };
 
         float Positive(string what, float value, string unit) => value > 0 && value < float.PositiveInfinity ? value
-            : throw new GlintException($"InterferingRadar of '{name}': a {what} of {value} {unit} must be above 0 and finite");
+            : throw Wrong(what, value, unit, "above 0 and finite");
+
+        float Finite(string what, float value, string unit) => math.isfinite(value) ? value
+            : throw Wrong(what, value, unit, "finite");
+
+        GlintException Wrong(string what, float value, string unit, string demand) => new GlintException(
+            FormattableString.Invariant($"InterferingRadar of '{name}': a {what} of {value} {unit} must be {demand}"));
 
         void OnEnable() => s_enabled.Add(this);
 

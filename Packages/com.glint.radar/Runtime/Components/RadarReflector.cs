@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Glint.Core;
 using UnityEngine;
@@ -27,7 +28,8 @@ namespace Glint
         {
             get => _crossSection;
             set => _crossSection = value >= 0 && value < double.PositiveInfinity ? value : throw new GlintException(
-                $"RadarReflector of '{name}': a cross section of {value} m2 must be 0 or more and finite");
+                FormattableString.Invariant(
+                    $"RadarReflector of '{name}': a cross section of {value} m2 must be 0 or more and finite"));
         }
 
         void OnEnable() => s_enabled.Add(this);
