@@ -78,7 +78,8 @@ void ScreenSea(uint3 id : SV_DispatchThreadID)
         return;
     float sigma = SigmaOf(facet, toRadar) * LevelOf((float)spoke / _ScreenSize.x, (height - drop) / range)
         * range * width * depth / facet.Normal.y;
-    // "rise" is the antenna's height over the facet's horizontal plane. The facet is two drops more below the antenna's.
+    // "rise" is the antenna's height over the facet's horizontal plane; the facet is lower than the antenna's plane by
+    // two drops more.
     float elevation = -atan((rise + 2.0 * drop) / ground);
     float field = ElevationField(elevation) * exp(-_RainLoss * range);
     float amplitude = _ScreenSeaCorner.w * _ScreenEcho.y * field * field * sqrt(sigma) / (range * range);

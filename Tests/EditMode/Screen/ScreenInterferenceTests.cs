@@ -70,8 +70,8 @@ namespace Glint.Tests
             Assert.That(interference.PulsesOf(256, other).z, Is.Zero, "behind the horizon");
         }
 
-        // Over a curved earth antennas of one height see each other below the horizontal, both by half of the arc between
-        // them: 40 km of 8,495 km are 0.135 degrees. The field falls from 1 at -0.2 degrees to 0 at 0.2.
+        // Over a curved earth antennas of one height see each other below the horizontal, both by half of the arc
+        // between them: half of 40 km / 8,495 km is 0.135 degrees. The field falls from 1 at -0.2 degrees to 0 at 0.2.
         [Test]
         public void RadarsOfOneHeight_SeeEachOtherBelowTheHorizontal()
         {

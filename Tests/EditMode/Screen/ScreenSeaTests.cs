@@ -75,8 +75,8 @@ namespace Glint.Tests
             }
         }
 
-        // A cosecant from 2 degrees below the middle of a beam of 4, where half of the power is: below it the power one way is
-        // sin^2(2 deg) / (2 sin^2(depression)). The same waves and speckle in a beam without effect have the sea's own
+        // A cosecant from 2 degrees below the middle of a beam of 4, where half of the power is: below it the power one way
+        // is sin^2(2 deg) / (2 sin^2(depression)). The same waves and speckle in a beam without effect have the sea's own
         // level. 174 m of height: depressions of 20 to 9 degrees.
         [Test]
         public void Clutter_HasThePatternBelowTheAntenna()
