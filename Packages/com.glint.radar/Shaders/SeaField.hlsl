@@ -14,10 +14,6 @@ struct SeaPoint
 {
     float Height;          // m
     float Acceleration;    // of the height, m/s2
-    float2 Slope;          // of the height along x and z
-    float2 Flow;           // of the water along x and z, m/s
-    float Rise;            // of the height, m/s
-    float Unused;
 };
 
 float4 _SeaCascades[SEA_CASCADES];         // side of the tile, m; cells per metre; levels above the finest cascade's

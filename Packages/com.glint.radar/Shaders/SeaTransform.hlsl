@@ -4,8 +4,8 @@
 #include "SeaField.hlsl"
 #include "Trigonometry.hlsl"
 
-// From a sea's waves to its points: fast Fourier transforms along x, then along z, a row or column a group. A point has
-// seven real fields. Two of them are the real and the imaginary part of one transform.
+// From a sea's waves to its points: fast Fourier transforms along x, then along z, a row or column a group. Height and
+// acceleration of a point are the real and the imaginary part of one transform.
 
 // GLINT_SEA_WAVE: a wave of a cascade (Runtime/Sea/SeaPoint.cs) at row * SEA_SIDE + column; negative columns are
 // counted from SEA_SIDE down. It is one of each pair k and -k, SeaMode of Core/Sea/SeaSurface.cs; its row is below
@@ -22,16 +22,11 @@ RWStructuredBuffer<SeaPoint> _WrittenSeaPoints;
 uint _SeaSeconds;                          // whole seconds of the clock,
 float _SeaFraction;                        // and the rest
 
-groupshared float4 s_first[SEA_SIDE], s_second[SEA_SIDE];      // two complex numbers each
+groupshared float2 s_sums[SEA_SIDE];       // complex
 
 float2 MulComplex(float2 a, float2 b)
 {
     return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-}
-
-float4 MulBoth(float4 a, float2 b)
-{
-    return float4(MulComplex(a.xy, b), MulComplex(a.zw, b));
 }
 
 // The transform takes its elements in the order of reversed bits.
@@ -47,12 +42,9 @@ void Transform(uint thread)
     {
         GroupMemoryBarrierWithGroupSync();
         uint within = thread & (stride - 1), low = 2 * thread - within, high = low + stride;
-        float2 turn = Phasor(0.5 * within / stride);
-        float4 first = MulBoth(s_first[high], turn), second = MulBoth(s_second[high], turn);
-        s_first[high] = s_first[low] - first;
-        s_second[high] = s_second[low] - second;
-        s_first[low] += first;
-        s_second[low] += second;
+        float2 turned = MulComplex(s_sums[high], Phasor(0.5 * within / stride));
+        s_sums[high] = s_sums[low] - turned;
+        s_sums[low] += turned;
     }
     GroupMemoryBarrierWithGroupSync();
 }
@@ -61,24 +53,19 @@ void Transform(uint thread)
 void StorePoint(uint index, uint at)
 {
     SeaPoint sea;
-    sea.Height = s_first[at].x;
-    sea.Acceleration = s_first[at].y;
-    sea.Slope = s_first[at].zw;
-    sea.Flow = s_second[at].xy;
-    sea.Rise = s_second[at].z;
-    sea.Unused = s_second[at].w;
+    sea.Height = s_sums[at].x;
+    sea.Acceleration = s_sums[at].y;
     _WrittenSeaPoints[index] = sea;
 }
 
 void LoadPoint(uint index, uint at)
 {
     SeaPoint sea = _WrittenSeaPoints[index];
-    s_first[at] = float4(sea.Height, sea.Acceleration, sea.Slope);
-    s_second[at] = float4(sea.Flow, sea.Rise, sea.Unused);
+    s_sums[at] = float2(sea.Height, sea.Acceleration);
 }
 
-// The transforms of the seven fields at a wave vector, at the time of the clock. A real field's transform at -k is the
-// conjugate of that at k.
+// The transform of height + i acceleration at a wave vector, at the time of the clock. A real field's transform at -k
+// is the conjugate of that at k.
 void LoadWave(uint cascade, int2 k, uint at)
 {
     bool isOpposite = k.y < 0 || k.y == 0 && k.x < 0;
@@ -90,16 +77,10 @@ void LoadWave(uint cascade, int2 k, uint at)
     float turns = ((wave.Turns * _SeaSeconds) >> 8) / 16777216.0 + wave.Frequency * _SeaFraction;
     float2 turn = Phasor(turns - floor(turns));
     float2 height = MulComplex(wave.Amplitude, float2(turn.x, -turn.y));
-    float frequency = TWO_PI * wave.Frequency;
     if (isOpposite)
-    {
         height.y = -height.y;
-        frequency = -frequency;
-    }
-    float2 number = TWO_PI / _SeaCascades[cascade].x * k, direction = k / sqrt(max(1.0, dot((float2)k, (float2)k)));
-    s_first[at] = float4(MulComplex(height, float2(1.0, -frequency * frequency)),
-        MulComplex(height, float2(-number.y, number.x)));
-    s_second[at] = float4(MulComplex(height, frequency * direction), MulComplex(height, float2(0.0, -frequency)));
+    float frequency = TWO_PI * wave.Frequency;
+    s_sums[at] = MulComplex(height, float2(1.0, -frequency * frequency));
 }
 
 int SignedOf(uint index)

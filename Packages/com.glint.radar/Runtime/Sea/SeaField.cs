@@ -7,8 +7,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A sea as a height field on the device, made from its waves at any time: heights, slopes, velocities and vertical
-    /// acceleration of the linear waves, without choppiness. It is the sum of cascades, tiles of different size.
+    /// A sea as a height field on the device, made from its waves at any time: height and vertical acceleration of the
+    /// linear waves, without choppiness. It is the sum of cascades, tiles of different size.
     /// Kernels march through it with Shaders/SeaMarch.hlsl.
     /// </summary>
     sealed class SeaField : IDisposable
@@ -99,7 +99,6 @@ namespace Glint
                 seconds = Math.Floor(clock);
             if (start != _clockStart)
                 Upload(start);
-            SetCascades(_shader);
             _shader.SetInt(SeaFieldIDs._SeaSeconds, (int)seconds);
             _shader.SetFloat(SeaFieldIDs._SeaFraction, (float)(clock - seconds));
             _shader.SetBuffer(_rows, SeaFieldIDs._SeaWaves, _waves.Buffer);
@@ -120,17 +119,12 @@ namespace Glint
         public void SetMarch(ComputeShader shader, int kernel, double3 radar,
             double earthRadius = ClutterGeometry.EarthRadius)
         {
-            SetCascades(shader);
+            shader.SetVectorArray(SeaFieldIDs._SeaCascades, _tiles);
+            shader.SetInt(SeaFieldIDs._SeaCascadeCount, _cascades.Length);
             shader.SetBuffer(kernel, SeaFieldIDs._SeaPoints, Points.Buffer);
             shader.SetBuffer(kernel, SeaFieldIDs._SeaBounds, Bounds.Buffer);
             shader.SetVector(SeaFieldIDs._SeaRadar, radar.ToVector((float)(1 / (2 * earthRadius))));
             shader.SetInt(SeaFieldIDs._SeaTopLevel, _topLevel);
-        }
-
-        void SetCascades(ComputeShader shader)
-        {
-            shader.SetVectorArray(SeaFieldIDs._SeaCascades, _tiles);
-            shader.SetInt(SeaFieldIDs._SeaCascadeCount, _cascades.Length);
         }
 
         void Dispatch(int kernel, int groups)

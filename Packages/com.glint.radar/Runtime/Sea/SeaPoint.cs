@@ -9,10 +9,6 @@ namespace Glint
     {
         public float Height;
         public float Acceleration;
-        public float2 Slope;
-        public float2 Flow;
-        public float Rise;
-        public float Unused;
     }
 
     // GLINT_SEA_WAVE: Shaders/SeaTransform.hlsl
