@@ -38,7 +38,6 @@ float4 _ReceiverHalfSize;                   // x: half its width, y: Lo; z, w: h
 // xyz: the scene's centre in the world; w: bound of segment lengths, m
 float4 _SceneCentreExtent;
 uint _RaysAcross;
-uint _RaysDown;
 // rays traced: first and end across, first and end down
 uint4 _Region;
 uint _MaxBounces;

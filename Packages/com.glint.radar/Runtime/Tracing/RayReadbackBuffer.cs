@@ -44,10 +44,6 @@ namespace Glint
                 throw TooMany($"all of {settings.RaysEmitted} rays", settings.RaysEmitted * (double)s_rayBytes, owner);
         }
 
-        /// <summary>Ensures the capacity for the rays of some tiles if all are read back.</summary>
-        public void Reserve(DeviceBuffer<RayData> rays, int tiles) =>
-            rays.Reserve(Mode == RayReadback.All ? tiles * PictureTiles.Rays : 1); // a binding must not be empty
-
         /// <summary>Reads back the rays of some tiles if all are read back.</summary>
         public void AddTiles(DeviceBuffer<RayData> rays, int tiles, TraceStatistics statistics)
         {
