@@ -65,6 +65,21 @@ namespace Glint.Tests
             Assert.That(File.ReadAllText(Path.Combine(_folder, "results.json")), Does.Contain("Corner Reflector"));
         }
 
+        [UnityTest]
+        public IEnumerator Play_RefusedByTheRadar_LeavesTheFolderFree()
+        {
+            var radar = Object.FindFirstObjectByType<RadarController>();
+            var receiver = radar.Receiver;
+            radar.Receiver = null;
+            LogAssert.Expect(LogType.Error, new Regex("has no receiver"));
+            _sweep.Angles = "0";
+            _sweep.gameObject.SetActive(true);
+            yield return null;
+            Assert.That((_sweep.IsRunning, _sweep.Problem), Is.EqualTo((false, radar.HasNoReceiver)));
+            radar.Receiver = receiver;
+            ResultsFolder.Open(_folder).Dispose();
+        }
+
         /// <summary>Read-backs are done when frames run, one pose a frame while the next one is in flight.</summary>
         [UnityTest]
         public IEnumerator Play_PosesThatOverlap_HaveTheRowsOfPosesOneAtATime()

@@ -81,12 +81,6 @@ uint FirstRevealed(uint2 cell)
     return s_pose * _RevealedWords + REVEALED_PARTS * (cell.x + cell.y * _Poses[s_pose].Cells.x);
 }
 
-uint Mixed(uint hash, uint value)
-{
-    uint mixed = (hash ^ value) * 16777619u;
-    return (mixed ^ (mixed >> 13)) * 2246822519u;
-}
-
 // Stereographic, so that rays that go away from the receiver are far from it.
 Landing LandingOf(Path path, float3 stepU, float3 stepV, float pathLength)
 {

@@ -54,7 +54,7 @@ static const uint CULL_LAST = 2;            // no traversal of a last segment th
 static const uint CULL_ENTRY_POINTS = 8;    // first segments start at the entry points of their cell
 
 // Rays written to _Rays (RayReadback).
-static const uint READBACK_RECEIVED = 0;    // in the order of _Candidates, including those not received
+static const uint READBACK_RECEIVED = 0;    // in the order of arrival
 static const uint READBACK_ALL = 1;         // in the order of tiles, 64 per tile
 static const uint READBACK_NONE = 2;
 

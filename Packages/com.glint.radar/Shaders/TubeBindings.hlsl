@@ -377,6 +377,12 @@ uint ElementOfList(uint count, uint index, uint cells, uint capacity)
     return index < deep ? capacity - cells - index / cells * cells + index % cells : index - deep;
 }
 
+uint Mixed(uint hash, uint value)
+{
+    uint mixed = (hash ^ value) * 16777619u;
+    return (mixed ^ (mixed >> 13)) * 2246822519u;
+}
+
 float2 ComplexMul(float2 a, float2 b)
 {
     return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);

@@ -3,6 +3,8 @@
 
 #if defined(GLINT_STAGE)
 #include "TubeStages.hlsl"
+#elif defined(GLINT_ARITHMETIC)
+#include "Arithmetic.hlsl"
 #elif defined(GLINT_SUM_TUBES)
 #include "TubeSums.hlsl"
 #elif defined(GLINT_BANDS)

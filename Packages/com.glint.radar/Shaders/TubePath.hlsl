@@ -112,12 +112,6 @@ float2 Quarter(float2 a)
     return float2(-a.y, a.x);
 }
 
-uint Mixed(uint signature, uint value)
-{
-    uint mixed = (signature ^ value) * 16777619u;
-    return (mixed ^ (mixed >> 13)) * 2246822519u;
-}
-
 void Sign(inout TubePath tube, uint value)
 {
     tube.Signature = Mixed(tube.Signature, value);

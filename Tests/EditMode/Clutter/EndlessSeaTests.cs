@@ -115,6 +115,7 @@ namespace Glint.Tests
             var levels = new ClutterLevels(Tracer, model);
             var table = levels.TableOf(sea, 9.4e9, 130);
             Assert.That(levels.TableOf(sea, 9.4e9, 130), Is.SameAs(table));
+            Assert.That(levels.TableOf(sea, 9.4e9, 130 + 1e-5), Is.SameAs(table), "a float32's last digits");
             Assert.That(table.Values.Select(value => value.w), Is.Ordered.Ascending);
             var own = Tracer.Trace(sea.PoseOf(130, grazing, 9.4e9), 9.4e9).Single().Sigma0;
             var factor = table.FactorAt(math.radians(grazing));

@@ -112,7 +112,7 @@ namespace Glint.Tests
                     ["SUM_TUBE_OVERFLOW"] = TubeSums.TooLarge,
                     ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers,
                     ["BAND_FREQUENCIES"] = TubeBands.MaxFrequencies, ["BAND_ROWS"] = TubeBands.Rows,
-                    ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
+                    ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = PatchBuffers.Flat,
                     ["COVER_SIDE"] = TubeKernels.CoverSide, ["REVEALED_WORDS"] = TubeKernels.RevealedWords,
                     ["PART_WORDS"] = TubeKernels.PartWords, ["AMPLITUDE_REVEALED"] = AmplitudeSums.RevealedParts,
                     ["AMPLITUDE_HITS"] = AmplitudeSums.Hits, ["AMPLITUDE_BOUNCES"] = AmplitudeSums.Bounces,

@@ -129,6 +129,17 @@ namespace Glint.Tests
             Assert.That(Findings(), Has.Some.Contains(refused.Message));
         }
 
+        // The inspector and Undo write the field.
+        [Test]
+        public void Trace_AfterAnotherKernelWasAssigned_TakesIt()
+        {
+            _radar.Trace();
+            _radar.Kernel = TestKernels.Layout;
+            Assert.That(() => _radar.Trace(), Throws.TypeOf<GlintException>().With.Message.Contains("has no kernel 'Trace"));
+            _radar.Kernel = TestKernels.Trace;
+            _radar.Trace();
+        }
+
         [Test]
         public void Update_SeveralThingsWrong_FindsAllErrorsFirst()
         {

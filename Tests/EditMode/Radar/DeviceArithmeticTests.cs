@@ -9,6 +9,14 @@ namespace Glint.Tests
         public void Check_OnThisDevice_Passes() =>
             Assert.That(DeviceArithmetic.FirstWrong(TestKernels.Trace, "Arithmetic"), Is.Null);
 
+        // The shaders of ray tubes check themselves: a scene may have no other.
+        [Test]
+        public void Check_OfRayTubes_Passes()
+        {
+            Assert.That(DeviceArithmetic.FirstWrong(TestKernels.Tubes, "Arithmetic"), Is.Null);
+            Assert.That(DeviceArithmetic.FirstWrong(TestKernels.Amplitude, "Arithmetic"), Is.Null);
+        }
+
         [TestCase("NotPrecise", "TwoSum")]
         [TestCase("FoldedSums", "TwoSum")]
         [TestCase("FusedProducts", "TwoProd")]

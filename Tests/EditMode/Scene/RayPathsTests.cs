@@ -1,10 +1,12 @@
 using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
+using System.Text.RegularExpressions;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
 namespace Glint.Tests
@@ -138,6 +140,19 @@ namespace Glint.Tests
             Assert.That(_paths.Count, Is.EqualTo(_radar.Result.RaysHit * RayPaths.MaxRays / (640.0 * 360))
                 .Within(0.02 * _paths.Count).And.GreaterThan(5000));
             Assert.That(mesh.subMeshCount, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Lines_ThatCannotBeTraced_AreGone()
+        {
+            _radar.Trace();
+            Assert.That(_paths.Lines().vertexCount, Is.GreaterThan(0));
+            var mesh = _paths.Lines();
+            _radar.Receiver = null;
+            _paths.Every = 2;
+            LogAssert.Expect(LogType.Warning, new Regex("Ray Paths of 'Radar': .*has no receiver"));
+            Camera.onPreCull(_camera.GetComponent<Camera>());
+            Assert.That((_paths.Count, mesh.vertexCount), Is.EqualTo((0, 8)), "the receiver alone");
         }
 
         [Test]

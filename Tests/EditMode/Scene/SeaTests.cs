@@ -67,6 +67,20 @@ namespace Glint.Tests
             Assert.That(after.Keys.Average(at => at.x), Is.EqualTo(32).Within(1), "the nearest tile to 40 m");
         }
 
+        // A centre that moves, such as a ship's, costs no new waves.
+        [Test]
+        public void Centre_Elsewhere_LeavesTheMeshAsItIs()
+        {
+            Rebuild(1024, 1024);
+            var mesh = _scene.Gather(_gatherer).Instances[0].Mesh;
+            _sea.Centre = _scene.Empty("Radar");
+            _sea.Centre.localPosition = new Vector3(40, 7, -20);
+            _sea.Rebuild();
+            Assert.That(_scene.Gather(_gatherer).Instances[0].Mesh, Is.SameAs(mesh));
+            _sea.TimeSeconds = 1;
+            Assert.That(_scene.Gather(_gatherer).Instances[0].Mesh, Is.Not.SameAs(mesh));
+        }
+
         [Test]
         public void TimeSeconds_Later_ShowsTheSeaOfThatMoment()
         {
@@ -280,6 +294,18 @@ namespace Glint.Tests
         }
 
         // The facets of the tile's mesh are those that break.
+        [Test]
+        public void Clutter_OnOfARadarWithoutItsKernel_IsRefusedBeforeThePoseIsTraced()
+        {
+            TurnClutterOn(32, 32);
+            var radar = _scene.Empty("Radar").gameObject.AddComponent<RadarController>();
+            radar.Receiver = radar.transform;
+            (radar.Kernel, radar.ClutterKernel) = (TestKernels.Trace, null);
+            radar.Roots.Add(_sea.transform);
+            Assert.That(() => radar.StartTrace(RayReadback.None),
+                Throws.TypeOf<GlintException>().With.Message.Contains("Tubes.compute to Clutter Kernel"));
+        }
+
         [Test]
         public void Clutter_On_HasTheTrianglesOfTheTileInTheirOrder()
         {

@@ -1,10 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Text.RegularExpressions;
 using System.Threading;
 using Glint.Core;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
 namespace Glint.Tests
@@ -341,6 +343,36 @@ namespace Glint.Tests
             _radar.Settings = settings;
             Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message,
                 Does.Contain("region 130,0,37,21"));
+        }
+
+        [Test]
+        public void Dispose_WhenASnapshotIsGone_SaysSoAndPutsTheRestBack()
+        {
+            var sea = new GameObject("Sea").AddComponent<Sea>();
+            try
+            {
+                sea.transform.SetParent(_wall.transform, false);
+                sea.Extent = new Vector2(1, 1);
+                var snapshot = new GameObject("Snapshot").AddComponent<SeaSnapshot>();
+                snapshot.transform.SetParent(sea.transform);
+                snapshot.Set(SceneBuilder.Mesh(1, 1), SeaSettings.Default, 0, 0);
+                sea.Snapshots.Add(snapshot);
+                sea.Snapshot = 1;
+                double frequency = _radar.Settings.FrequencyHz;
+                var plan = new SweepPlan(axis => axis == SweepAxis.Snapshot ? new double[] { 1 }
+                    : axis == SweepAxis.Frequency ? new[] { 5e9 } : null);
+                var run = new SweepRun(new SweepSetup(_radar, plan) { Sea = sea });
+                run.Step();
+                Assert.That(_radar.Settings.FrequencyHz, Is.EqualTo(5e9));
+                sea.Snapshots.Clear();
+                LogAssert.Expect(LogType.Error, new Regex("not as it was before the sweep: .*has no snapshots"));
+                run.Dispose();
+                Assert.That(_radar.Settings.FrequencyHz, Is.EqualTo(frequency));
+            }
+            finally
+            {
+                Object.DestroyImmediate(sea.gameObject);
+            }
         }
 
         [Test]

@@ -149,6 +149,13 @@ namespace Glint.Core
         /// <summary>Whether the radar alone receives.</summary>
         public bool IsMonostatic => Receivers.Length == 1 && Receivers[0].ToRadar.Equals(Radar.ToRadar);
 
+        /// <summary>How much nearer to the radar than the phase centre a point is, metres.</summary>
+        public double NearerBy(double3 place)
+        {
+            double3 from = place - PhaseCentre;
+            return IsFar ? math.dot(Radar.ToRadar, from) : Range - math.distance(Range * Radar.ToRadar, from);
+        }
+
         /// <summary>Whether another pose differs in nothing but the aspects and the phase centre.</summary>
         public bool IsLike(CrossSectionPose other) => ReferenceEquals(Scene, other.Scene) && Range == other.Range
             && Footprint == null && other.Footprint == null && IsMonostatic == other.IsMonostatic

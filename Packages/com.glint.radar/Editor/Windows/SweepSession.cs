@@ -39,7 +39,7 @@ namespace Glint.Editor
                 // of the command.
                 _radar.Release();
                 _folder = folder == null ? null : ResultsFolder.Open(folder);
-                _run = new SweepRun(setup, _folder, null, resume) { PosesAhead = 1 };
+                _run = new SweepRun(setup, _folder, null, resume);
             }
             catch
             {
@@ -125,6 +125,8 @@ namespace Glint.Editor
             {
                 if (_radar == null)
                     throw new GlintException("the radar of the sweep was destroyed: it must stay until the last pose");
+                // A look needs the scene of the row.
+                _run.PosesAhead = Looks ? 0 : 1;
                 var row = _run.Step(progress, _cancel.Token);
                 Done = _run.Done;
                 _rows.Add(new StoredRow(row));

@@ -13,6 +13,9 @@ namespace Glint
     /// </summary>
     public sealed class ClutterLevels
     {
+        // Of the degrees of an azimuth: a hundredth changes the mean echo by less than a thousandth of a decibel.
+        const int AzimuthDecimals = 2;
+
         readonly ClutterTracer _tracer;
         readonly ClutterModel _model;
         // By the sea, its settings and wind, frequency and azimuth.
@@ -33,6 +36,8 @@ namespace Glint
             IProgress<double> progress = null, CancellationToken cancel = default)
         {
             var clutter = sea.Clutter;
+            // A radar that a transform moves has an azimuth that differs in its last digits from pose to pose.
+            azimuthDegrees = Math.Round(azimuthDegrees, AzimuthDecimals);
             var key = (clutter.LongWaves, clutter.Settings, clutter.Wind, frequency, azimuthDegrees);
             if (_tables.TryGetValue(key, out var table))
                 return table;

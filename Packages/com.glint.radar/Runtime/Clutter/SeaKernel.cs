@@ -91,6 +91,10 @@ namespace Glint
         void Dispatch(int items, int tileCount, int seed, uint[] read, Action<double> report, CancellationToken cancel)
         {
             long total = (long)items * tileCount;
+            if (total > uint.MaxValue)
+                throw new GlintException(FormattableString.Invariant($"{_owner}: {tileCount} tiles of the sea have ")
+                    + FormattableString.Invariant($"{total:N0} facets, and the kernels count to {uint.MaxValue:N0}: ")
+                    + "make the sea smaller, or its cells larger");
             Statistics.SeaFacets += total;
             for (long first = 0; first < total;)
             {
@@ -173,14 +177,8 @@ namespace Glint
         }
 
         // From the scene's centre to the phase centre.
-        Complex PhaseOf(CrossSectionPose pose, double frequency)
-        {
-            double3 centre = _scene.Centre - pose.PhaseCentre;
-            double nearer = pose.IsFar
-                ? math.dot(pose.Radar.ToRadar, centre)
-                : pose.Range - math.distance(pose.Range * pose.Radar.ToRadar, centre);
-            return Complex.FromPolarCoordinates(1, 4 * Math.PI / Signal.Wavelength(frequency) * nearer);
-        }
+        Complex PhaseOf(CrossSectionPose pose, double frequency) => Complex.FromPolarCoordinates(1,
+            4 * Math.PI / Signal.Wavelength(frequency) * pose.NearerBy(_scene.Centre));
 
         /// <summary>Releases all buffers on the device.</summary>
         public void Dispose()

@@ -48,13 +48,10 @@ namespace Glint
             var read = new uint4[Rows * count];
             _lights.ReadBack(read, read.Length);
             var echo = new ShipSeaEcho(pose);
-            double3 centre = scene.Centre - pose.PhaseCentre;
-            double direct = pose.IsFar ? math.dot(pose.Radar.ToRadar, centre)
-                : pose.Range - math.distance(pose.Range * pose.Radar.ToRadar, centre),
-                byRay = grid.PhaseOf(pose, pose.Radar) - direct;
+            double direct = pose.NearerBy(scene.Centre), byRay = grid.PhaseOf(pose, pose.Radar) - direct;
             for (int i = 0; i < count; i++)
                 if (read[Rows * i].w != 0)
-                    echo.Add(LightOf(read, Rows * i, surfaces.Parts, direct, byRay), i);
+                    echo.Add(LightOf(read, Rows * i, surfaces.Patches.Parts, direct, byRay), i);
             return echo.Echoes();
         }
 
@@ -68,9 +65,9 @@ namespace Glint
         void Bind(DeviceScene scene, SurfaceBuffers surfaces, CrossSectionPose pose, TubeGrid grid)
         {
             _shader.SetBvhs(_kernel, scene);
-            _shader.SetBuffer(_kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
-            _shader.SetBuffer(_kernel, TubeIDs._NormalFields, surfaces.NormalFields.Buffer);
-            _shader.SetBuffer(_kernel, TubeIDs._InstanceFacets, surfaces.InstanceFacets.Buffer);
+            _shader.SetBuffer(_kernel, TubeIDs._Facets, surfaces.Patches.Facets.Buffer);
+            _shader.SetBuffer(_kernel, TubeIDs._NormalFields, surfaces.Patches.NormalFields.Buffer);
+            _shader.SetBuffer(_kernel, TubeIDs._InstanceFacets, surfaces.Patches.InstanceFacets.Buffer);
             _shader.SetBuffer(_kernel, TubeIDs._Motions, surfaces.Motions.Buffer);
             _shader.SetBuffer(_kernel, TubeIDs._Reflections, surfaces.Reflections.Buffer);
             _poses.Upload(new[] { new TubePose(pose, grid, 1) });

@@ -98,6 +98,7 @@ namespace Glint
         AmplitudeTracer _amplitudes;
         CrossSectionTracer _crossSections; // of scenes with a sea that has clutter
         readonly List<PoseInFlight> _pending = new List<PoseInFlight>(); // of ray tubes: the first one finished traces all
+        (ComputeShader, ComputeShader, ComputeShader)? _kernelsInUse; // of the tracers; null: there are none
         RadarPose _traced;
         ulong _tracedContent;
 
@@ -160,42 +161,18 @@ namespace Glint
         public RayReadback RayReadback { get => _keptRays; set => _keptRays = value; }
 
         /// <summary>Packages/com.glint.radar/Shaders/Trace.compute.</summary>
-        public ComputeShader Kernel
-        {
-            get => _kernel;
-            set
-            {
-                _kernel = value;
-                Release(); // the current tracer has the old kernel
-            }
-        }
+        public ComputeShader Kernel { get => _kernel; set => _kernel = value; }
 
         /// <summary>
         /// Packages/com.glint.radar/Shaders/Amplitude.compute; only used with
         /// <see cref="RadarSettings.ToleranceDb"/>.
         /// </summary>
-        public ComputeShader TubeKernel
-        {
-            get => _tubeKernel;
-            set
-            {
-                _tubeKernel = value;
-                Release(); // the current tracer has the old kernel
-            }
-        }
+        public ComputeShader TubeKernel { get => _tubeKernel; set => _tubeKernel = value; }
 
         /// <summary>
         /// Packages/com.glint.radar/Shaders/Tubes.compute; only used if a sea has clutter.
         /// </summary>
-        public ComputeShader ClutterKernel
-        {
-            get => _clutterKernel;
-            set
-            {
-                _clutterKernel = value;
-                Release(); // the current tracer has the old kernel
-            }
-        }
+        public ComputeShader ClutterKernel { get => _clutterKernel; set => _clutterKernel = value; }
 
         /// <summary>
         /// Count the nodes visited and pairs tested: <see cref="TraceStatistics"/>. Slower; for benchmarks.
@@ -243,6 +220,7 @@ namespace Glint
         /// </summary>
         internal PoseInFlight StartTrace(RayReadback readback, CancellationToken cancel = default)
         {
+            DropOldKernels();
             // Before the scene is gathered, which may take long.
             var settings = Describe().Settings;
             if (settings.ToleranceDb > 0)
@@ -478,7 +456,7 @@ namespace Glint
             _amplitudes?.Dispose();
             _crossSections?.Dispose();
             _pending.Clear();
-            (_tracer, _amplitudes, _crossSections) = (null, null, null);
+            (_tracer, _amplitudes, _crossSections, _kernelsInUse) = (null, null, null, null);
         }
 
         /// <summary>Name in messages.</summary>
@@ -509,6 +487,9 @@ namespace Glint
             RadarPose pose;
             using (s_gather.Auto())
                 pose = Gather(confirmLater: true);
+            if (pose.Scene.Seas.Count > 0 && _clutterKernel == null)
+                throw new GlintException($"{Subject}: a sea with clutter needs the kernels of cross sections: assign "
+                    + "Packages/com.glint.radar/Shaders/Tubes.compute to Clutter Kernel");
             var statistics = new TraceStatistics
             {
                 Objects = _gatherer.ObjectCount, BytesHashed = _gatherer.BytesHashed,
@@ -524,8 +505,18 @@ namespace Glint
             return _tracer.Start(pose, readback, cancel, statistics);
         }
 
+        // Tracers of kernels that were assigned before; the inspector and Undo write the fields.
+        void DropOldKernels()
+        {
+            var kernels = (_kernel, _tubeKernel, _clutterKernel);
+            if (_kernelsInUse != null && _kernelsInUse != kernels)
+                Release();
+            _kernelsInUse = kernels;
+        }
+
         RadarPose GatherForTracer()
         {
+            DropOldKernels();
             var pose = Gather();
             _tracer ??= new RayTracer(_kernel, Subject);
             return pose;

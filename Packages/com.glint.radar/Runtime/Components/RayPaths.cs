@@ -160,7 +160,7 @@ namespace Glint
             }
             catch (GlintException problem)
             {
-                _isBuilt = true;
+                Build(); // of no paths
                 Debug.LogWarning($"Ray Paths of '{name}': {problem.Message}", this);
                 return null;
             }

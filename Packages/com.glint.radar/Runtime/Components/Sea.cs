@@ -67,6 +67,7 @@ namespace Glint
         SeaSurface _surface;
         SeaClutter _echo;
         Mesh _made;
+        (SeaSurface, double) _filled; // what the mesh shows
         Material _instanced;
         Vector3 _localCentre;
         bool _isStale;
@@ -298,9 +299,13 @@ namespace Glint
             }
             _surface ??= new SeaSurface(_waves);
             if (_made == null)
-                _made = new Mesh { name = "Sea", hideFlags = HideFlags.DontSave };
-            var tile = _surface.Mesh(_timeSeconds);
-            MeshMaker.Fill(_made, tile.Vertices, tile.Indices);
+                (_made, _filled) = (new Mesh { name = "Sea", hideFlags = HideFlags.DontSave }, default);
+            if (_filled != (_surface, _timeSeconds))
+            {
+                var tile = _surface.Mesh(_timeSeconds);
+                MeshMaker.Fill(_made, tile.Vertices, tile.Indices);
+                _filled = (_surface, _timeSeconds);
+            }
             size = _waves.TileSize;
             return _made;
         }

@@ -160,11 +160,19 @@ namespace Glint
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder)
                 ? RunDescription.DefaultFolder(scene)
                 : RunDescription.InProject(_outputFolder));
-            _run = new SweepRun(
-                new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder)
+            try
             {
-                PosesAhead = 1
-            };
+                _run = new SweepRun(
+                    new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder)
+                {
+                    PosesAhead = 1
+                };
+            }
+            catch
+            {
+                folder.Dispose();
+                throw;
+            }
             (Poses, ResultsPath) = (plan.Count, folder.FolderPath);
             _progress.Start(scene, plan.Count);
         }

@@ -116,7 +116,8 @@ namespace Glint
                     largest = job.Grid;
                 int most = pose.Scene.Seas.Count > 0 ? 1
                     : Math.Min(PosesTogether, TubeSums.MaxSlots / TubeSums.SlotsOf(pose));
-                if (jobs.Count > 0 && (jobs.Count == most || !TubeTracer.FitsTogether(jobs.Count + 1, largest)))
+                if (jobs.Count > 0
+                    && (jobs.Count == most || !TubeTracer.FitsTogether(jobs.Count + 1, largest, _surfaces)))
                     break;
                 jobs.Add(job);
             }
@@ -221,7 +222,7 @@ namespace Glint
             if (_scene.IsEmpty)
                 return CrossSectionContributions.None;
             var job = new TubeJob(pose, GridOf(pose));
-            var sums = new PartSums(_surfaces.Parts, TubeSums.OutputSize(pose, 1), job.Edges, receiver, frequency);
+            var sums = new PartSums(_surfaces.Patches.Parts, TubeSums.OutputSize(pose, 1), job.Edges, receiver, frequency);
             _tubes.SumParts(job, _scene, _surfaces, sums, receiver, frequency);
             TraceEdges(new[] { job }, sums.Add, cancel);
             // Attempts before the last one reveal which cells it divides.
@@ -283,10 +284,10 @@ namespace Glint
                 return;
             _scene.RequireOnePage(_owner, "a cross section takes");
             if (ahead != null)
-                _surfaces.Know(pose.Scene, pose.CreaseDegrees, ahead.Patches());
+                _surfaces.Patches.Know(pose.Scene, pose.CreaseDegrees, ahead.Patches());
             _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.CoefficientFrequency);
             if (pose.HasEdges)
-                _edges.Set(pose.Scene, _surfaces.Patches, _surfaces.Parts, _scene.Centre,
+                _edges.Set(pose.Scene, _surfaces.Patches.OfInstances, _surfaces.Patches.Parts, _scene.Centre,
                     TubeGrid.EdgePieceFor(pose), ahead);
         }
 

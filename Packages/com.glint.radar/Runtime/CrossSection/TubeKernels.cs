@@ -60,6 +60,7 @@ namespace Glint
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
         {
+            DeviceArithmetic.Check(shader);
             _shader = shader;
             _rays = new TubeRounds.RayKernels(shader);
             _rounds = new TubeRounds(shader, "TubeCorners", "TubeCells", "TubeBorders", _rays);
@@ -81,9 +82,9 @@ namespace Glint
             foreach (int kernel in _rounds.Kernels.Append(_fringes).Append(_points))
             {
                 _shader.SetBvhs(kernel, scene);
-                _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
-                _shader.SetBuffer(kernel, TubeIDs._NormalFields, surfaces.NormalFields.Buffer);
-                _shader.SetBuffer(kernel, TubeIDs._InstanceFacets, surfaces.InstanceFacets.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Patches.Facets.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._NormalFields, surfaces.Patches.NormalFields.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._InstanceFacets, surfaces.Patches.InstanceFacets.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Motions, surfaces.Motions.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Reflections, surfaces.Reflections.Buffer);
             }

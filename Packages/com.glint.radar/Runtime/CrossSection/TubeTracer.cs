@@ -65,9 +65,10 @@ namespace Glint
         // Times their bounces.
         int Corners => (int)Math.Min(_factor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
 
-        /// <summary>Whether the marks of poses with a grid fit.</summary>
-        public static bool FitsTogether(int poses, TubeGrid largest) =>
-            (long)poses * TubeKernels.MarkWordsOf(largest) <= ListFactor * MarkWordsAList;
+        /// <summary>Whether the marks of poses with a grid fit, and a dispatch has a thread for all that is marked.</summary>
+        public static bool FitsTogether(int poses, TubeGrid largest, SurfaceBuffers surfaces) =>
+            (long)poses * TubeKernels.MarkWordsOf(largest) <= ListFactor * MarkWordsAList
+            && (long)poses * surfaces.MarkedCount <= KernelCalls.MaxThreads;
 
         /// <summary>Sets the poses, which are alike, and what is summed: S.</summary>
         /// <inheritdoc cref="Bind"/>
@@ -93,7 +94,7 @@ namespace Glint
             _bind = () =>
             {
                 Bind(new[] { job }, scene, surfaces, sums.OutputSize, () => Capacity);
-                _kernels.SumParts(surfaces.Parts, receiver, frequency, TubeSums.OutputSize(job.Pose, 1));
+                _kernels.SumParts(surfaces.Patches.Parts, receiver, frequency, TubeSums.OutputSize(job.Pose, 1));
             };
             _bind();
             _kernels.ClearRevealed(1);

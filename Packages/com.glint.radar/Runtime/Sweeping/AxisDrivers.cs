@@ -6,7 +6,10 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Applies the poses of a sweep by a driver for each axis. Disposing restores the scene.</summary>
+    /// <summary>
+    /// Applies the poses of a sweep by a driver for each axis. Disposing restores the scene; what cannot be restored is
+    /// said in the log, and does not keep the rest from it.
+    /// </summary>
     sealed class AxisDrivers : IDisposable
     {
         // Drivers of one axis, or of several together, in the order in which they are applied.
@@ -54,7 +57,14 @@ namespace Glint
         public void Dispose()
         {
             for (int i = _motions.Count - 1; i >= 0; i--)
-                _motions[i].PutBack();
+                try
+                {
+                    _motions[i].PutBack();
+                }
+                catch (GlintException problem)
+                {
+                    Debug.LogError($"the scene is not as it was before the sweep: {problem.Message}");
+                }
             _motions.Clear();
         }
     }

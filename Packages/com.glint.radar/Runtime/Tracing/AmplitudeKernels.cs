@@ -29,6 +29,7 @@ namespace Glint
         /// <param name="shader">Shaders/Amplitude.compute.</param>
         public AmplitudeKernels(ComputeShader shader)
         {
+            DeviceArithmetic.Check(shader);
             _shader = shader;
             _cells = shader.FindKernel("AmplitudeCells");
             _revealed = new RevealedBits(shader);
@@ -45,13 +46,13 @@ namespace Glint
         public static int PointWords(int maxBounces) => PointLandings + 2 * maxBounces;
 
         /// <summary>Sets the scenes of the poses.</summary>
-        public void SetScenes(DeviceScene scenes, SurfaceBuffers surfaces)
+        public void SetScenes(DeviceScene scenes, PatchBuffers patches)
         {
             foreach (int kernel in Rounds.Kernels)
             {
                 _shader.SetBvhs(kernel, scenes);
-                _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
-                _shader.SetBuffer(kernel, TubeIDs._InstanceFacets, surfaces.InstanceFacets.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Facets, patches.Facets.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._InstanceFacets, patches.InstanceFacets.Buffer);
             }
         }
 

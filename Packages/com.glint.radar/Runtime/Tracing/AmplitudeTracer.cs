@@ -32,7 +32,7 @@ namespace Glint
         readonly string _owner;
         readonly AmplitudeKernels _kernels;
         readonly DeviceScene _scene;
-        readonly SurfaceBuffers _surfaces = new SurfaceBuffers();
+        readonly PatchBuffers _patches = new PatchBuffers();
         readonly TubeLists _lists = new TubeLists();
         readonly DeviceBuffer<uint> _points = new DeviceBuffer<uint>("words of points");
         readonly DeviceBuffer<BorderRay> _borderRays = new DeviceBuffer<BorderRay>("rays of border cells");
@@ -49,13 +49,15 @@ namespace Glint
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
-        /// <summary>Refuses another shader.</summary>
-        /// <exception cref="GlintException">The message says what to assign.</exception>
+        /// <summary>Refuses a device that cannot trace, and a shader that is missing or another one.</summary>
+        /// <exception cref="GlintException">The message says why, and the way out.</exception>
         public static void Check(ComputeShader shader, string owner)
         {
+            DeviceCheck.RequireDevice();
             if (shader == null || !shader.HasKernel("AmplitudePoints"))
                 throw new GlintException($"{owner}: a tolerance needs the kernels of ray tubes: assign "
                     + "Packages/com.glint.radar/Shaders/Amplitude.compute to Tube Kernel");
+            DeviceCheck.RequireSupported(shader, shader.FindKernel("AmplitudePoints"));
         }
 
         /// <summary>
@@ -145,11 +147,11 @@ namespace Glint
             _scene.RequireOnePage(_owner, "ray tubes take", ", or leave the tolerance out");
             var pose = jobs[0].Pose;
             // Facets of one plane are one mirror.
-            _surfaces.Set(pose.Scene, _scene.Centre, 0, pose.Settings.FrequencyHz);
+            _patches.Set(pose.Scene, 0);
             var waveNumber = TubeLists.WaveNumber(pose.Settings.FrequencyHz);
             int capacity = ListCapacity > 0 ? ListCapacity : Math.Max(MinElements, jobs.Length * ElementsAPose),
                 points = Math.Max(MinPoints, jobs.Length * PointsAPose);
-            _kernels.SetScenes(_scene, _surfaces);
+            _kernels.SetScenes(_scene, _patches);
             _kernels.SetPoses(jobs, _scene, waveNumber.x);
             _lists.Reserve(AmplitudeSums.OutputSize(jobs.Length), capacity, capacity, new[] { waveNumber });
             _points.Reserve((long)points * AmplitudeKernels.PointWords(pose.Settings.MaxBounces));
@@ -208,7 +210,7 @@ namespace Glint
         {
             _kernels.Dispose();
             _scene.Dispose();
-            _surfaces.Dispose();
+            _patches.Dispose();
             _lists.Dispose();
             _points.Dispose();
             _borderRays.Dispose();

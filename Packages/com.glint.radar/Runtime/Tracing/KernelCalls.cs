@@ -1,3 +1,4 @@
+using System;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -14,13 +15,21 @@ namespace Glint
             return (int)size;
         }
 
+        /// <summary>Most threads of a dispatch of any kernel.</summary>
+        public const long MaxThreads = (long)TraceKernel.MaxTiles * PictureTiles.Rays;
+
         /// <summary>Dispatches at least as many threads, in rows of groups; none for 0.</summary>
+        /// <exception cref="GlintException">They are more than a device dispatches at once.</exception>
         public static void DispatchThreads(this ComputeShader shader, int kernel, long threads)
         {
-            int size = shader.GroupOf(kernel), groups = (int)((threads + size - 1) / size),
-                across = TraceKernel.GroupsARow;
+            int across = TraceKernel.GroupsARow;
+            long size = shader.GroupOf(kernel), groups = (threads + size - 1) / size;
+            if (groups > TraceKernel.MaxTiles)
+                throw new GlintException(FormattableString.Invariant($"compute shader '{shader.name}' needs {threads:N0} ")
+                    + FormattableString.Invariant($"threads at once, and a device takes {size * TraceKernel.MaxTiles:N0}: ")
+                    + "the scene has too many triangles");
             if (groups > 0)
-                shader.Dispatch(kernel, math.min(groups, across), (groups + across - 1) / across, 1);
+                shader.Dispatch(kernel, (int)Math.Min(groups, across), (int)((groups + across - 1) / across), 1);
         }
 
         /// <summary>Sets the rays of a picture.</summary>

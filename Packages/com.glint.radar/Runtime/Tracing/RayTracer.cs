@@ -108,6 +108,7 @@ namespace Glint
             DispatchPlan.Check(pose.Settings, readback, _owner);
             statistics ??= new TraceStatistics();
             statistics.Triangles = pose.Scene.TriangleCount;
+            _last = null; // the buffers of an earlier pose change
             SetScene(pose.Scene, statistics, cancel);
             using (s_trace.Auto())
             {

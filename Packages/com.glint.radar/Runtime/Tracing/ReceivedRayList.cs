@@ -8,6 +8,9 @@ namespace Glint
     /// <summary>The received rays of a pose, unordered.</summary>
     sealed class ReceivedRayList
     {
+        // Of the largest array of 8 bytes an element in Unity's runtime.
+        const int MaxCount = 0x7fffffc7 / 8;
+
         ReceivedRay[] _rays = Array.Empty<ReceivedRay>();
 
         /// <summary>The rays, from the array's start.</summary>
@@ -43,8 +46,11 @@ namespace Glint
         void Reserve(int count)
         {
             long needed = Count + (long)count;
+            if (needed > MaxCount)
+                throw new GlintException(FormattableString.Invariant($"{needed:N0} rays were received, and a pose holds ")
+                    + FormattableString.Invariant($"{MaxCount:N0}: trace fewer rays, or a part of the picture"));
             if (needed > _rays.Length)
-                Array.Resize(ref _rays, (int)Math.Min(0x7fffffc7 / 8, Math.Max(needed, 2L * _rays.Length)));
+                Array.Resize(ref _rays, (int)Math.Min(MaxCount, Math.Max(needed, 2L * _rays.Length)));
         }
     }
 }

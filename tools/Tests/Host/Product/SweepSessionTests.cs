@@ -109,6 +109,21 @@ public sealed class SweepSessionTests
         Assert.That(session.Rows.Count, Is.EqualTo(4), "a tick too many does nothing");
     }
 
+    [Test]
+    public void Tick_WithLooks_ShowsThePoseOfItsRow()
+    {
+        using var session = SweepSession.Sweep(_form);
+        session.Tick();
+        Assert.That(session.Preview, Is.Null);
+        session.Looks = true;
+        for (int row = 1; row < 3; row++)
+        {
+            session.Tick();
+            Assert.That(session.Preview, Is.Not.Null);
+            Assert.That(Quaternion.Angle(_form.Target.localRotation, _rotation), Is.EqualTo(10 * row).Within(0.01));
+        }
+    }
+
     [TestCase("cancel", "cancelled")]
     [TestCase("close the window", "cancelled")]
     [TestCase("reload scripts", "ended: scripts are reloaded")]

@@ -78,6 +78,17 @@ public sealed class SceneHandlesTests
         Assert.That(camera.orthographicSize, Is.EqualTo(6).Within(1e-5));
     }
 
+    [Test]
+    public void Receiver_WithoutSizeAtAPerspectiveCamera_IsEnlarged()
+    {
+        _radar.ReceiverSize = Vector2.zero;
+        float size = _radar.GetComponent<Camera>().orthographicSize;
+        Drag(0, 0.5f);
+        SceneHandles.Draw(_radar);
+        Assert.That(_radar.ReceiverSize.y, Is.EqualTo(1).Within(1e-5));
+        Assert.That(_radar.GetComponent<Camera>().orthographicSize, Is.EqualTo(size));
+    }
+
     // The handles of a whole picture are at its edges: left, right, bottom and top.
     [TestCase(0, 0.25f, 50, 0, 150, 100)]
     [TestCase(1, -0.5f, 0, 0, 100, 100)]

@@ -33,7 +33,7 @@ namespace Glint.Editor.Views
                 return Array.Empty<Vector3>();
             var centre = radar.Receiver.position;
             var size = radar.ReceiverSize;
-            if (camera.orthographic && size == Vector2.zero)
+            if (IsAperture(radar, camera))
             {
                 if (radar.FitAperture)
                     return Array.Empty<Vector3>();
@@ -44,5 +44,9 @@ namespace Glint.Editor.Views
             Vector3 right = size.x / 2 * radar.Receiver.right, up = size.y / 2 * radar.Receiver.up;
             return new[] { centre - right - up, centre + right - up, centre + right + up, centre - right + up };
         }
+
+        /// <summary>Whether the receiver is the aperture of an orthographic camera.</summary>
+        internal static bool IsAperture(RadarController radar, Camera camera) =>
+            camera.orthographic && radar.ReceiverSize == Vector2.zero;
     }
 }

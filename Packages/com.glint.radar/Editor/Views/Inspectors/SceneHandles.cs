@@ -64,8 +64,7 @@ namespace Glint.Editor.Views
             {
                 return; // dragged past the other end, or out of range
             }
-            Undo.RecordObject(sweep, "Change Angles");
-            sweep.Angles = angles;
+            Fix.Change(sweep, "Change Angles", it => it.Angles = angles);
         }
 
         static Vector3 AtAzimuth(double degrees) =>
@@ -76,24 +75,19 @@ namespace Glint.Editor.Views
             var corners = RadarGizmos.ReceiverOutline(radar);
             if (corners.Length == 0)
                 return;
-            bool isAperture = radar.ReceiverSize == Vector2.zero;
+            bool isAperture = RadarGizmos.IsAperture(radar, camera);
             if (Drag((corners[2] + corners[3]) / 2, radar.Receiver.up, out float up))
                 if (isAperture)
-                {
-                    Undo.RecordObject(camera, "Change Aperture");
-                    camera.orthographicSize = Mathf.Max(MinSize, camera.orthographicSize + up);
-                }
+                    Fix.Change(camera, "Change Aperture",
+                        it => it.orthographicSize = Mathf.Max(MinSize, it.orthographicSize + up));
                 else
                     Resize(radar, new Vector2(0, 2 * up));
             if (!isAperture && Drag((corners[1] + corners[2]) / 2, radar.Receiver.right, out float right))
                 Resize(radar, new Vector2(2 * right, 0));
         }
 
-        static void Resize(RadarController radar, Vector2 change)
-        {
-            Undo.RecordObject(radar, "Change Receiver Size");
-            radar.ReceiverSize = Vector2.Max(radar.ReceiverSize + change, MinSize * Vector2.one);
-        }
+        static void Resize(RadarController radar, Vector2 change) => Fix.Change(radar, "Change Receiver Size",
+            it => it.ReceiverSize = Vector2.Max(it.ReceiverSize + change, MinSize * Vector2.one));
 
         // The traced part of the picture, on a plane before the camera.
         static void DrawRegion(RadarController radar, Camera camera)
@@ -135,8 +129,7 @@ namespace Glint.Editor.Views
             {
                 Left = left, Bottom = bottom, Width = right - left, Height = top - bottom
             };
-            Undo.RecordObject(radar, "Change Region");
-            radar.Settings = settings;
+            Fix.Change(radar, "Change Region", it => it.Settings = settings);
         }
 
         // A dot that slides along a line; moved: metres since the last event.
