@@ -131,6 +131,26 @@ namespace Glint.Tests
             Assert.That(Sigma0.Decibels(found.HH), Is.EqualTo(table.Decibels(Polarisation.HH, at)).Within(0.5));
         }
 
+        // A number that no model has would be the own echo times the factor of the table's end.
+        [Test]
+        public void Trace_OutsideTheAnglesOfTheLevel_IsRefused()
+        {
+            var sea = new TestSea(8, 64, 64, 0);
+            var settings = SeaClutterSettings.On;
+            settings.Level = ClutterLevel.Git;
+            var clutter = new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings);
+            const string message = "clutter model git: the grazing angle 12 deg must be from 0.1 to 10 deg";
+            Assert.That(() => Tracer.Trace(sea.Pose(30, 12, clutter)),
+                Throws.TypeOf<GlintException>().With.Message.StartsWith(message));
+            var pose = sea.Pose(30, 10, clutter);
+            var setup = new CrossSectionSetup(pose.Scene, new CrossSectionPlan(new double[] { 30 }, new double[] { 10, 12 },
+                pose.Frequencies));
+            Assert.That(() => setup.Validate("sea"), Throws.TypeOf<GlintException>().With.Message.StartsWith(message),
+                "before the row of 10 degrees");
+            var last = RadarAspect.At(30, 10);
+            clutter.RequireLevel(new RadarAspect((float3)last.ToRadar, last.Up, last.Right), 10e9);
+        }
+
         [Test]
         public void Trace_ReceiverElsewhere_IsRefused()
         {

@@ -21,6 +21,9 @@ namespace Glint.Core
         // Rounding of a direction that was given in float32.
         const double DirectionTolerance = 1e-5;
 
+        // Of degrees, as far as float32 gives them.
+        const int AngleDecimals = 3;
+
         readonly Dictionary<double, FacetTable> _tables;
         readonly Lazy<bool[]> _breakingFacets;
         readonly Lazy<double3[]> _facetVelocities;
@@ -142,6 +145,17 @@ namespace Glint.Core
         /// <param name="azimuthDegrees">As of <see cref="RadarAspect.At"/>.</param>
         public ClutterConditions ConditionsAt(double frequency, double azimuthDegrees, double grazingDegrees) =>
             new ClutterConditions(frequency, grazingDegrees, SeaState, AngleBetween(azimuthDegrees, Wind));
+
+        /// <summary>Refuses a plane wave for which the published level of the sea, if it has one, does not hold.</summary>
+        /// <param name="frequency">Hz.</param>
+        /// <exception cref="GlintException">The message says where it holds.</exception>
+        public void RequireLevel(in RadarAspect radar, double frequency)
+        {
+            // Rounded as a float32 may be, so that the last angle of a model is in its range.
+            if (Settings.Level != ClutterLevel.Physics)
+                ClutterModel.Of(Settings.Level).Require(ConditionsAt(frequency, radar.AzimuthDegrees,
+                    Math.Round(radar.ElevationDegrees, AngleDecimals)));
+        }
 
         // From a horizontal direction to that of the radar, degrees.
         static double AngleBetween(double azimuthDegrees, double3 direction)

@@ -149,10 +149,10 @@ namespace Glint.Core
         /// <summary>Whether the radar alone receives.</summary>
         public bool IsMonostatic => Receivers.Length == 1 && Receivers[0].ToRadar.Equals(Radar.ToRadar);
 
-        /// <summary>How much nearer to the radar than the phase centre a point is, metres.</summary>
-        public double NearerBy(double3 place)
+        /// <summary>How much nearer to the radar than the phase centre a position is, metres.</summary>
+        public double NearerBy(double3 position)
         {
-            double3 from = place - PhaseCentre;
+            double3 from = position - PhaseCentre;
             return IsFar ? math.dot(Radar.ToRadar, from) : Range - math.distance(Range * Radar.ToRadar, from);
         }
 
@@ -192,6 +192,12 @@ namespace Glint.Core
 
         /// <summary>Horizontal polarisation: the radar's right.</summary>
         public double3 Right { get; }
+
+        /// <summary>As of <see cref="At"/>, from -180 to 180.</summary>
+        public double AzimuthDegrees => math.degrees(Math.Atan2(-ToRadar.x, -ToRadar.z));
+
+        /// <summary>As of <see cref="At"/>.</summary>
+        public double ElevationDegrees => math.degrees(Math.Asin(math.clamp(ToRadar.y, -1, 1)));
 
         /// <summary>
         /// The aspect of an upright radar. Azimuth 0 is on the -Z side and grows as Unity's rotation about Y; elevation

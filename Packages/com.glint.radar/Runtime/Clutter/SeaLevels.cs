@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Threading;
 using Glint.Core;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -18,7 +17,9 @@ namespace Glint
         public SeaLevels(ComputeShader shader, string owner) => (_shader, _owner) = (shader, owner);
 
         /// <summary>The factors of a sea of a pose; null for none. Traced once a direction.</summary>
-        /// <exception cref="GlintException">The model does not hold for the sea.</exception>
+        /// <exception cref="GlintException">
+        /// The model does not hold for the sea, or not at the grazing angle of a plane wave.
+        /// </exception>
         public ClutterLevelTable Of(CrossSectionPose pose, RadarSea sea, double frequency, CancellationToken cancel)
         {
             var level = sea.Clutter.Settings.Level;
@@ -27,9 +28,9 @@ namespace Glint
             _tracer ??= new ClutterTracer(_shader, _owner);
             if (!_levels.TryGetValue(level, out var levels))
                 _levels.Add(level, levels = new ClutterLevels(_tracer, ClutterModel.Of(level)));
-            double3 toRadar = pose.Radar.ToRadar;
-            double azimuth = math.degrees(Math.Atan2(-toRadar.x, -toRadar.z));
-            return levels.TableOf(new EndlessSea(pose.Scene, sea), frequency, azimuth, null, cancel);
+            if (pose.IsFar)
+                sea.Clutter.RequireLevel(pose.Radar, frequency);
+            return levels.TableOf(new EndlessSea(pose.Scene, sea), frequency, pose.Radar.AzimuthDegrees, null, cancel);
         }
 
         public void Dispose() => _tracer?.Dispose();

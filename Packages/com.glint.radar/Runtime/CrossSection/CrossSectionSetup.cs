@@ -203,6 +203,7 @@ namespace Glint
             foreach (var material in UsedMaterials())
                 foreach (double frequency in Plan.Frequencies)
                     material.RequireData(frequency);
+            RequireLevels();
             if (Quality.Area == 0)
                 throw new GlintException($"{subject}: no triangle has an area: it reflects nothing; export the mesh "
                     + "with more decimals, or check its unit");
@@ -217,6 +218,16 @@ namespace Glint
                 throw new GlintException($"{subject}: the surface with material '{open.Name}' is open, with air on "
                     + "both sides, but nothing is followed into a dielectric: close the mesh, or make it a perfect "
                     + "conductor (metal)");
+        }
+
+        // A spherical wave has many grazing angles.
+        void RequireLevels()
+        {
+            if (!double.IsPositiveInfinity(Range) || Plan.Track != null)
+                return;
+            foreach (var sea in Scene.Seas)
+                for (int row = 0; row < Plan.Count; row++)
+                    sea.Clutter.RequireLevel(Plan[row].Radar, Plan[row].Frequency);
         }
 
         /// <summary>
