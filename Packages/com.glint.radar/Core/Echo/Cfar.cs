@@ -26,7 +26,7 @@ namespace Glint.Core
 
         readonly CfarLevel _level;
         readonly double _falseAlarmRate;
-        readonly int _reference, _guard, _referenceRows, _guardRows, _step;
+        readonly int _reference, _guard, _referenceRows, _guardRows, _step, _rowStep;
 
         // By the number of reference cells, 0 where not computed yet.
         readonly double[] _factors;
@@ -44,19 +44,22 @@ namespace Glint.Core
         /// <param name="step">
         /// Cells from a reference cell to the next one of a row: at least those over which noise is correlated.
         /// </param>
+        /// <param name="rowStep">Rows from one with reference cells to the next one, likewise.</param>
         /// <exception cref="GlintException">A number is out of its range.</exception>
         public Cfar(CfarLevel level, double falseAlarmRate, int reference, int guard, int referenceRows = 0,
-            int guardRows = 0, int step = 1)
+            int guardRows = 0, int step = 1, int rowStep = 1)
         {
             var cells = Interval.Closed(0, MaxCells);
             Require.Within("CFAR", "false-alarm rate", falseAlarmRate, "", Interval.Closed(1e-12, 0.5));
             Require.Count("CFAR", "number of reference cells on a side", reference, MaxCells);
             Require.Within("CFAR", "number of guard cells on a side", guard, "", Interval.Closed(0, MaxDistance));
             Require.Count("CFAR", "cells from a reference cell to the next", step, MaxDistance);
+            Require.Count("CFAR", "rows from a reference cell to the next", rowStep, MaxDistance);
             Require.Within("CFAR", "number of reference rows on a side", referenceRows, "", cells);
             Require.Within("CFAR", "number of guard rows on a side", guardRows, "", cells);
             (_level, _falseAlarmRate) = (level, falseAlarmRate);
-            (_reference, _guard, _referenceRows, _guardRows, _step) = (reference, guard, referenceRows, guardRows, step);
+            (_reference, _guard, _step) = (reference, guard, step);
+            (_referenceRows, _guardRows, _rowStep) = (referenceRows, guardRows, rowStep);
             int width = 2 * (reference + guard) + 1, height = 2 * (referenceRows + guardRows) + 1;
             _factors = new double[width * height + 1];
             _referenceCells = new double[width * height];
@@ -106,26 +109,30 @@ namespace Glint.Core
             return count > 0 ? FactorOf(count) * Level(count) : double.PositiveInfinity;
         }
 
-        // Copies the reference cells of a cell: those of the rectangle around it that are not in the guard rectangle.
+        // Copies the reference cells of a cell: those of the rectangle around it that are not in the guard rectangle, at
+        // the steps.
         int Gather(double[] power, int columns, int index)
         {
-            int row = index / columns, column = index % columns, height = _referenceRows + _guardRows,
-                lastRow = Math.Min(power.Length / columns - 1, row + height), count = 0;
+            int row = index / columns, column = index % columns, rows = power.Length / columns,
+                height = (_guardRows + _referenceRows * _rowStep) / _rowStep * _rowStep,
+                between = _guard + 1 - _step, count = 0;
             void Take(int x, int y)
             {
                 if (x >= 0 && x < columns)
                     _referenceCells[count++] = power[y * columns + x];
             }
 
-            for (int y = Math.Max(0, row - height); y <= lastRow; y++)
+            for (int y = row - height; y <= row + height; y += _rowStep)
             {
+                if (y < 0 || y >= rows)
+                    continue;
                 for (int offset = _guard + 1; offset <= _guard + _reference * _step; offset += _step)
                 {
                     Take(column - offset, y);
                     Take(column + offset, y);
                 }
                 // Above and below the guard rectangle.
-                for (int x = column - _guard; Math.Abs(y - row) > _guardRows && x <= column + _guard; x++)
+                for (int x = column - between; Math.Abs(y - row) > _guardRows && x <= column + between; x += _step)
                     Take(x, y);
             }
             return count;

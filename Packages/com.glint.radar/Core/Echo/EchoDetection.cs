@@ -17,6 +17,10 @@ namespace Glint.Core
         // lobe this many bins are guarded.
         const int OfProfile = 16, OfMap = 8, RowsOfMap = 4, GuardBins = 2;
 
+        // From a reference cell to the next, noise bandwidths of the window: the power of noise there is correlated by
+        // less than 1/20. At 1e-6 the mean gives the asked rate within a fifth (EchoDetectionTests).
+        const double StepBandwidths = 1.5;
+
         static readonly string[] s_names = { "ca", "os" };
 
         /// <summary>Names of <see cref="CfarLevel"/>, in its order.</summary>
@@ -33,7 +37,7 @@ namespace Glint.Core
 
         /// <summary>
         /// The detections of a direction, in order of the cells: column and row of a map, row 0 of a profile. Cells are
-        /// those of a transform without padding, whose noise is nearly independent.
+        /// those of a transform with the least padding.
         /// </summary>
         /// <param name="echo">Of the run.</param>
         public IEnumerable<EchoDetected> Detect(EchoProfiles echo, int direction, Polarisation polarisation)
@@ -46,15 +50,35 @@ namespace Glint.Core
             var cells = doppler == null
                 ? range.Profile(values(direction, polarisation, 0))
                 : echo.Map(doppler, direction, polarisation, values);
-            int Guard(int size, int bins) => (int)Math.Ceiling(GuardBins * (double)size / bins);
-            int guard = Guard(range.Cells, echo.Band.Count);
+            var (cfar, reach) = DetectorOf(Window.Named(echo.Settings.Window), echo.Band.Count, range.Cells,
+                doppler == null ? 1 : echo.Plan.PulseCount, doppler?.Rows ?? 1);
+            return Detected(cfar, cells, reach, range, doppler);
+        }
+
+        /// <summary>
+        /// The detector of profiles or maps, and how many rows on either side of a cell it takes reference cells from.
+        /// The window correlates noise over neighbouring cells, and padding divides a bin into several of them:
+        /// reference cells are as far apart as makes them nearly independent.
+        /// </summary>
+        /// <param name="pulses">1 for profiles.</param>
+        internal (Cfar cfar, int reach) DetectorOf(Window window, int frequencies, int cells, int pulses, int rows)
+        {
+            int StepOf(int size, int bins) =>
+                (int)Math.Ceiling(StepBandwidths * window.NoiseBandwidth * size / bins);
+            int GuardOf(int size, int bins, int step) =>
+                Math.Max(step - 1, (int)Math.Ceiling(GuardBins * (double)size / bins));
+            // Echoes beyond the unambiguous range are folded: the first and the last cell are neighbours, and so are the
+            // first and the last speed. Reference cells keep clear of the tested cell there, and rows of each other.
+            int step = StepOf(cells, frequencies), guard = GuardOf(cells, frequencies, step),
+                reference = Math.Max(1, Math.Min(pulses == 1 ? OfProfile : OfMap, (cells - 2 * guard) / step));
             var level = LevelOf(Level);
-            if (doppler == null)
-                return Detected(new Cfar(level, FalseAlarmRate, OfProfile, guard), cells, 0, range, null);
-            // The first and the last speed are neighbours.
-            int guardRows = Guard(doppler.Rows, echo.Plan.PulseCount);
-            return Detected(new Cfar(level, FalseAlarmRate, OfMap, guard, RowsOfMap, guardRows), cells,
-                RowsOfMap + guardRows, range, doppler);
+            if (pulses == 1)
+                return (new Cfar(level, FalseAlarmRate, reference, guard, step: step), 0);
+            int rowStep = StepOf(rows, pulses), most = Math.Max(0, (rows - rowStep) / 2),
+                guardRows = Math.Min(most, GuardOf(rows, pulses, rowStep)),
+                referenceRows = Math.Min(RowsOfMap, (most - guardRows) / rowStep);
+            return (new Cfar(level, FalseAlarmRate, reference, guard, referenceRows, guardRows, step, rowStep),
+                guardRows + referenceRows * rowStep);
         }
 
         static IEnumerable<EchoDetected> Detected(Cfar cfar, Complex[] cells, int addedRows, RangeTransform range,
