@@ -53,13 +53,41 @@ namespace Glint.Tests
         {
             var transform = NewTransform(4, 201, out var range);
             double[] levels = PowerLevel.Decibels(transform.Image(Profiles(new[] { new double2(0, 0) }, range)));
-            double width = Window.Named("taylor").Width(0.5) * s_bin, highest = levels.Max();
-            Assert.That(highest, Is.EqualTo(10 * Math.Log10(Level)).Within(0.05));
-            Assert.That(Array.IndexOf(levels, highest), Is.EqualTo(100 * 201 + 100), "in the middle");
-            foreach (int stride in new[] { 1, 201 })
+            Assert.That(levels.Max(), Is.EqualTo(10 * Math.Log10(Level)).Within(0.05));
+            AssertWidths(levels, transform, s_bin, s_bin);
+        }
+
+        /// <summary>
+        /// The same at an elevation of 45 degrees, of azimuths and from a track: widths are those of the bins that the
+        /// command prints. The point is the phase centre, whose responses are the same from everywhere.
+        /// </summary>
+        [Test]
+        public void Image_AtAnElevation_HasTheWidthsOfItsBins([Values] bool isTrack)
+        {
+            const double elevation = 45, distance = 150;
+            double[] steps = Enumerable.Range(0, LookCount).Select(look =>
+                (look - 0.5 * (LookCount - 1)) * s_lookStep).ToArray(),
+                frequencies = Enumerable.Range(0, s_band.Count).Select(s_band.Frequency).ToArray();
+            var plan = isTrack
+                ? new CrossSectionPlan(new RadarTrack(steps.Select(step => distance * math.radians(step)).ToArray(),
+                    Azimuth, elevation, distance), frequencies)
+                : new CrossSectionPlan(steps.Select(step => Azimuth + step).ToArray(), new[] { elevation }, frequencies);
+            var looks = Enumerable.Range(0, LookCount).Select(look => plan[look * s_band.Count]).ToArray();
+            var range = NewRange();
+            var transform = new IsarTransform(range, s_band, looks.Select(look => look.Radar).ToArray(), Azimuth,
+                Window.Named("taylor"), 4, 201, looks.Select(look => look.Range ?? double.PositiveInfinity).ToArray());
+            var profile = range.Profile(PointEchoes.Point(s_band, 0, Level));
+            AssertWidths(PowerLevel.Decibels(transform.Image(looks.Select(_ => profile).ToArray())), transform,
+                IsarSettings.DownBin(s_band, plan), IsarSettings.CrossBin(s_band, plan));
+        }
+
+        static void AssertWidths(double[] levels, IsarTransform transform, double downBin, double crossBin)
+        {
+            Assert.That(Array.IndexOf(levels, levels.Max()), Is.EqualTo(100 * 201 + 100), "in the middle");
+            foreach (var (stride, bin) in new[] { (1, crossBin), (201, downBin) })
                 Assert.That(Enumerable.Range(-100, 201).Count(i =>
-                        levels[100 * 202 + i * stride] > highest - 10 * Math.Log10(2)) * transform.Pixel,
-                    Is.EqualTo(width).Within(2 * transform.Pixel));
+                        levels[100 * 202 + i * stride] > levels.Max() - 10 * Math.Log10(2)) * transform.Pixel,
+                    Is.EqualTo(Window.Named("taylor").Width(0.5) * bin).Within(2 * transform.Pixel), $"{stride}");
         }
 
         /// <summary>
@@ -78,8 +106,7 @@ namespace Glint.Tests
             double3 down = new double3(Math.Sin(azimuth), 0, Math.Cos(azimuth)),
                 right = new double3(Math.Cos(azimuth), 0, -Math.Sin(azimuth)),
                 middle = -ground * down + new double3(0, distance * Math.Sin(math.radians(elevation)), 0);
-            var range = new RangeTransform(s_band, Window.Named("taylor"), IsarTransform.Padding,
-                -0.5 * s_band.UnambiguousRange);
+            var range = NewRange();
             var amplitudes = points.Select(_ => new Complex(Math.Sqrt(Level), 0)).ToArray();
             var profiles = track.Places.Select(along => range.Profile(PointEchoes.Sum(s_band, points.Select(point =>
             {
@@ -106,10 +133,12 @@ namespace Glint.Tests
         static IEnumerable<RadarAspect> Looks => Enumerable.Range(0, LookCount).Select(look =>
             RadarAspect.At(Azimuth + (look - 0.5 * (LookCount - 1)) * s_lookStep, 0));
 
+        static RangeTransform NewRange() => new RangeTransform(s_band, Window.Named("taylor"), IsarTransform.Padding,
+            -0.5 * s_band.UnambiguousRange);
+
         static IsarTransform NewTransform(double side, int pixels, out RangeTransform range)
         {
-            range = new RangeTransform(s_band, Window.Named("taylor"), IsarTransform.Padding,
-                -0.5 * s_band.UnambiguousRange);
+            range = NewRange();
             return new IsarTransform(range, s_band, Looks.ToArray(), Azimuth, Window.Named("taylor"), side, pixels);
         }
 

@@ -193,6 +193,27 @@ namespace Glint.Core
         /// <summary>Pixels along a side.</summary>
         public int Pixels { get; set; }
 
+        /// <summary>A bin of down range on the image's horizontal plane, metres: c / (2 B cos e), e the elevation.</summary>
+        public static double DownBin(FrequencyBand band, CrossSectionPlan plan) =>
+            band.RangeResolution / Math.Cos(ElevationOf(plan));
+
+        /// <summary>
+        /// A bin of cross range on it, metres: lambda / 2 over the angle that all looks make. Azimuths at the elevation e
+        /// make cos e times their own angle; places of a track make the angle at which the track is seen.
+        /// </summary>
+        public static double CrossBin(FrequencyBand band, CrossSectionPlan plan)
+        {
+            double azimuths = plan[plan.Count - 1].AzimuthDegrees - plan[0].AzimuthDegrees,
+                angle = plan.Track is RadarTrack track
+                    ? Math.Atan(track.Places[track.Count - 1] / track.Range) - Math.Atan(track.Places[0] / track.Range)
+                    : azimuths * Math.PI / 180 * Math.Cos(ElevationOf(plan));
+            return Signal.Wavelength(band.Centre) * (plan.Poses - 1.0) / (2 * plan.Poses * Math.Abs(angle));
+        }
+
+        // Of all azimuths, or of the middle of the track, radians.
+        static double ElevationOf(CrossSectionPlan plan) =>
+            (plan.Track?.ElevationDegrees ?? plan[0].ElevationDegrees) * Math.PI / 180;
+
         internal void AddTo(List<RunSetting> settings)
         {
             settings.Add(new RunSetting(SideName, Side, "m"));

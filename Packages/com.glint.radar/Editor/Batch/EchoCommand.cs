@@ -107,9 +107,9 @@ namespace Glint.Editor
         {
             var band = setup.Echo.BandOf(setup.Plan);
             var image = EchoOptions.ImageOf(line, band, setup.Plan, setup.Extent);
-            double bin = EchoOptions.CrossBin(band, setup.Plan), unambiguous = setup.Plan.Poses * bin;
+            double bin = IsarSettings.CrossBin(band, setup.Plan), unambiguous = setup.Plan.Poses * bin;
             progress.Print(FormattableString.Invariant(
-                $"image {image.Side:g5} m wide, {image.Pixels} x {image.Pixels} pixels, cross-range bin {bin:g4} m, unambiguous cross range {unambiguous:g5} m"));
+                $"image {image.Side:g5} m wide, {image.Pixels} x {image.Pixels} pixels, down-range bin {IsarSettings.DownBin(band, setup.Plan):g4} m, cross-range bin {bin:g4} m, unambiguous cross range {unambiguous:g5} m"));
             double needed = (image.Side / 2 + HalfWidthOf(setup)) * band.Frequency(band.Count - 1) / band.Centre;
             if (unambiguous < needed)
                 Debug.LogWarning(FormattableString.Invariant(

@@ -240,12 +240,17 @@ namespace Glint.Editor
                 RequireSteps(Track, line.Get(Track), "places", "-50:50:0.5");
             else
                 RequireSteps(CrossSectionOptions.Azimuth, line.Get(CrossSectionOptions.Azimuth), "azimuths", "-1:1:0.05");
-            if (line.Get(CrossSectionOptions.Elevation).Length > 1)
+            double[] elevations = line.Get(CrossSectionOptions.Elevation);
+            if (elevations.Length > 1)
                 throw new UsageException($"{CrossSectionOptions.Elevation.Flag}: an image takes one elevation");
+            if (!(Math.Abs(elevations[0]) < 90))
+                throw new UsageException($"{CrossSectionOptions.Elevation.Flag}: from above a horizontal image has no down "
+                    + "range: give an elevation between -90 and 90 degrees");
             if (line.IsGiven(CrossSectionOptions.Range) && !line.IsGiven(Track))
                 throw new UsageException($"{CrossSectionOptions.Range.Flag}: an image of azimuths is one from far away: give "
                     + $"{Track.Flag} {Track.ValueName} too, or leave the range out");
-            double finer = Math.Min(band.RangeResolution, CrossBin(band, plan)), side = line.Get(Side) ?? 2 * extent,
+            double finer = Math.Min(IsarSettings.DownBin(band, plan), IsarSettings.CrossBin(band, plan)),
+                side = line.Get(Side) ?? 2 * extent,
                 pixels = Math.Max(1, Math.Ceiling(side / (line.Get(Pixel) ?? finer / 2)));
             return pixels <= IsarTransform.MaxPixels
                 ? new IsarSettings { Side = side, Pixels = (int)pixels }
@@ -260,11 +265,6 @@ namespace Glint.Editor
                 throw new UsageException($"{option.Flag}: an image takes at least two {noun} at equal steps: give "
                     + $"FROM:TO:STEP, such as {example}");
         }
-
-        /// <summary>lambda / 2 over the angle of all looks, metres: a bin of cross range.</summary>
-        public static double CrossBin(FrequencyBand band, CrossSectionPlan plan) => Signal.Wavelength(band.Centre)
-            / (2 * plan.Poses / (plan.Poses - 1.0) * Math.PI / 180
-                * Math.Abs(plan[plan.Count - 1].AzimuthDegrees - plan[0].AzimuthDegrees));
 
         /// <summary>What is made of the responses.</summary>
         /// <exception cref="UsageException">The band begins below 0 Hz.</exception>

@@ -308,6 +308,7 @@ public sealed class EchoCommandTests : EchoFixture
     [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "1")]
     [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "0,1,3")]
     [TestCase("an image takes one elevation", "--azimuth", "0,1", "--elevation", "0,1")]
+    [TestCase("a horizontal image has no down range", "--azimuth", "0,1", "--elevation", "90")]
     [TestCase("at most 4096 are possible: give a smaller --side, or a larger --pixel", "--azimuth", "0,1",
         "--pixel", "1e-4")]
     public void Isar_OfWhatMakesNoImage_IsRefused(string message, params string[] options)
