@@ -43,6 +43,26 @@ namespace Glint.Tests
             Assert.That(result.Clutter[0].SigmaVV, Is.GreaterThan(0));
         }
 
+        // The sea fills the echo: nothing is below its clutter, which lies far above the floor that is asked for.
+        [Test]
+        public void Row_OfASceneWithClutter_HasTheFloorOfItsTrace()
+        {
+            var pose = CalmSea(40, Array.Empty<MeshInstance>());
+            var setup = new CrossSectionSetup(pose.Scene,
+                new CrossSectionPlan(new[] { 0.0 }, new[] { 40.0 }, new[] { TenGigahertz }))
+            {
+                HasEdges = false, GivenFloorDbsm = -100
+            };
+            var clutter = Tracer.Trace(setup.PoseOf(setup.Plan[0])).Clutter[0];
+            using (var run = new CrossSectionRun(setup, TestKernels.Tubes))
+            {
+                var row = run.Step();
+                double level = 10 * Math.Log10(Math.Max(clutter.SigmaVV, clutter.SigmaHH));
+                Assert.That(row.FloorDbsm, Is.EqualTo(level).Within(1e-6).And.GreaterThan(-90));
+                Assert.That(row.MeetsTolerance);
+            }
+        }
+
         // The mean of a published model, in both polarisations; the speckle is the same.
         [TestCase(ClutterLevel.Nrl)]
         [TestCase(ClutterLevel.Git)]

@@ -49,7 +49,9 @@ namespace Glint.Core
             new CrossSectionAccuracy(polarisations, S[receiver, sample], Errors[receiver, sample],
                 CrossErrors[receiver, sample], FloorDbsm);
 
-        /// <summary>The floor of the tolerance, dBsm.</summary>
+        /// <summary>
+        /// The floor of the tolerance, dBsm: that of the pose, or the clutter of its seas if that is more.
+        /// </summary>
         public double FloorDbsm { get; set; }
 
         /// <summary>Whether every amplitude has the error asked for.</summary>

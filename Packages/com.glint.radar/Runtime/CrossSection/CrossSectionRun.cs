@@ -205,7 +205,7 @@ namespace Glint
             return new CrossSectionRow(planned, trace.S[receiver, sample], _setup.Polarisations)
             {
                 Error = trace.Errors[receiver, sample], CrossError = trace.CrossErrors[receiver, sample],
-                FloorDbsm = _setup.FloorDbsm,
+                FloorDbsm = trace.FloorDbsm,
                 ToleranceDb = _setup.ToleranceDb, Radius = _setup.Radius,
                 CoarseShare = _setup.Quality.Share(Signal.Wavelength(planned.Frequency)),
                 Tubes = trace.Tubes, Rays = trace.Rays, Bounces = trace.Bounces,
