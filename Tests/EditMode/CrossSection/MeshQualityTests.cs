@@ -73,6 +73,24 @@ namespace Glint.Tests
             Assert.That(Measure(CrossSectionTargets.Dihedral(0.3, 0.2, 180 - bend)).MaxSagitta,
                 Is.EqualTo(sagitta).Within(1e-6));
 
+        // A crease below 20 degrees is that of a body which is faceted on purpose; one above 30 makes larger bends
+        // curves.
+        [TestCase(16, 15, false)]
+        [TestCase(14, 15, true)]
+        [TestCase(19, 15, false)]
+        [TestCase(19, 19.5, true)]
+        [TestCase(20, 20, true)]
+        [TestCase(29, 25, true)]
+        [TestCase(40, 30, false)]
+        [TestCase(40, 45, true)]
+        public void Fold_IsACurve_BelowTheCreaseThatTheUserChose(double bend, double crease, bool isCurve)
+        {
+            var mesh = CrossSectionTargets.Dihedral(0.3, 0.2, 180 - bend);
+            var quality = MeshQuality.Find(new RadarScene(mesh),
+                new[] { SurfacePatches.Find(mesh, creaseDegrees: crease) });
+            Assert.That(quality.MaxSagitta, Is.EqualTo(isCurve ? 0.3 * math.radians(bend) / 8 : 0).Within(1e-6));
+        }
+
         // A plate of 10 m that ends in a strip of 1 cm, bent by 20 degrees: the strip, and as much of the plate.
         [Test]
         public void WidePlate_BesideANarrowStrip_CountsWithTheStripsWidth()

@@ -13,14 +13,16 @@ namespace Glint.Core
     /// facet only a strip of that width is concerned. The sagitta of a facet is the sum over its three edges: on a
     /// cylinder two of them are straight lines of it and add nothing; on a sphere this is the distance of the facet
     /// from it, for facets that are half a square. Edges bent by 30 degrees or more are meant as edges, and those bent
-    /// by no more than the rounding of float32 coordinates as none.
+    /// by no more than the rounding of float32 coordinates as none. The usual crease angle is smaller: a coarse curve
+    /// with bends between them is cut into flat facets, and counts. A crease angle below the usual one says that bends
+    /// from there on are edges, one above 30 degrees that those below it are not.
     /// </remarks>
     public sealed class MeshQuality
     {
         /// <summary>A sagitta above the wavelength over this number misleads: the path is off by 2/50 turns.</summary>
         public const double WavelengthsPerSagitta = 50;
 
-        /// <summary>Bends from this angle on are meant as edges, degrees.</summary>
+        /// <summary>Bends from this angle on are meant as edges with the usual crease angle, degrees.</summary>
         public const double EdgeDegrees = 30;
 
         readonly double[] _sagittas; // descending
@@ -108,6 +110,10 @@ namespace Glint.Core
                 facets.Add((sum, part * area));
         }
 
+        static double EdgeOf(double creaseDegrees) => creaseDegrees < SurfacePatches.DefaultCreaseDegrees
+            ? creaseDegrees
+            : math.max(creaseDegrees, EdgeDegrees);
+
         // The share is that of the facet's width which the narrower facet has.
         static double Sagitta(in PlacedPatches placed, int side, out double share)
         {
@@ -118,7 +124,8 @@ namespace Glint.Core
             var normals = placed.Patches.Normals;
             double bend = placed.Bend(side, across),
                 rounding = normals.Uncertainty(side / 3) + normals.Uncertainty(across / 3);
-            if (!(bend > rounding && bend < math.radians(EdgeDegrees)) || normals.IsNeedle(across / 3))
+            double edge = math.radians(EdgeOf(placed.Patches.CreaseDegrees));
+            if (!(bend > rounding && bend < edge) || normals.IsNeedle(across / 3))
                 return 0;
             double own = placed.Width(side), width = math.min(own, placed.Width(across));
             share = width / own;
