@@ -312,6 +312,16 @@ namespace Glint.Tests
             Assert.That(both.CoatedCount, Is.Zero);
         }
 
+        // Of a dihedral all edges but the inside of its corner: that behind it, and three of each face.
+        [Test]
+        public void CoatedCorner_IsNotCountedOnItsInside()
+        {
+            var scene = new RadarScene(CrossSectionTargets.Dihedral(0.3, 0.2));
+            var set = WedgeFinder.Find(scene, new[] { SurfacePatches.Find(scene.Instances[0].Mesh) }, _ => false);
+            Assert.That(set.CoatedCount, Is.EqualTo(7));
+            Assert.That(set.CoatedLength, Is.EqualTo(3 * 0.2 + 4 * 0.3).Within(1e-6));
+        }
+
         // Bodies that intersect are closed each. The ship is the same on both sides, and turned by right angles.
         [Test]
         public void Ship_IsClosed_WithTheSameWedgesOnBothSides()

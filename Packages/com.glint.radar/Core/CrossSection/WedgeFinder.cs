@@ -14,7 +14,10 @@ namespace Glint.Core
         /// <summary>Wedges whose faces both are perfect conductors.</summary>
         public IReadOnlyList<Wedge> Wedges { get; }
 
-        /// <summary>Wedges, and borders in a plane, that are left out because a face is no perfect conductor.</summary>
+        /// <summary>
+        /// Wedges, and borders in a plane, that are left out because a face is no perfect conductor; without the
+        /// insides of corners, which add nothing.
+        /// </summary>
         public int CoatedCount { get; }
 
         /// <summary>Their length, metres.</summary>
@@ -85,7 +88,7 @@ namespace Glint.Core
             foreach (var piece in WedgeJoiner.Join(finder._wedges))
                 if (piece.IsConductor)
                     wedges.Add(piece.Wedge);
-                else
+                else if (piece.Wedge.OuterAngle > math.PI_DBL - MinAngle)
                 {
                     coated++;
                     coatedLength += piece.Wedge.Length;

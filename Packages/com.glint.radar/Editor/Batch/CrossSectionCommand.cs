@@ -111,6 +111,10 @@ namespace Glint.Editor
             if (setup.Quality.IsOpen)
                 progress.Print($"note: the mesh has {setup.Quality.OpenEdgeCount} open edges: open surfaces are thin "
                     + "conductors, lit from both sides");
+            var (coatedEdges, length) = setup.CoatedEdges;
+            if (coatedEdges > 0)
+                progress.Print(FormattableString.Invariant(
+                    $"note: {coatedEdges} edges, {length:g4} m in all, have no fringe fields: a face beside them is no perfect conductor"));
             foreach (string warning in setup.Warnings(name))
                 Debug.LogWarning(warning);
         }

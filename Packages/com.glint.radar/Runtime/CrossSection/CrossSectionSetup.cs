@@ -26,6 +26,7 @@ namespace Glint
 
         readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
+        readonly Lazy<WedgeSet> _wedges;
         readonly Lazy<RadarScene> _onEarth;
         SceneAhead _ahead;
 
@@ -38,6 +39,7 @@ namespace Glint
             (BoxMin, BoxMax) = scene.Bound();
             _patches = new Lazy<SurfacePatches[]>(Patches);
             _quality = new Lazy<MeshQuality>(() => MeshQuality.Find(Scene, _patches.Value));
+            _wedges = new Lazy<WedgeSet>(() => EdgeBuffers.WedgesOf(PlacedScene, FoundPatches));
             _onEarth = new Lazy<RadarScene>(() => CurvedEarth.Below(PhaseCentre, Scene));
         }
 
@@ -125,8 +127,21 @@ namespace Glint
         /// <summary>The patches of each instance.</summary>
         internal SurfacePatches[] FoundPatches => _patches.Value;
 
-        /// <summary>Begins to find what takes longest in the scene of the poses; from then on nothing may change.</summary>
-        public void Begin() => _ahead ??= new SceneAhead(PlacedScene, () => FoundPatches, HasEdges);
+        /// <summary>
+        /// Edges without fringe fields because a face is no perfect conductor, and their length, metres. It waits until
+        /// all edges are found, if there are such faces.
+        /// </summary>
+        public (int count, double length) CoatedEdges =>
+            HasEdges && UsedMaterials().Any(material => !material.IsConductor)
+                ? (_wedges.Value.CoatedCount, _wedges.Value.CoatedLength)
+                : (0, 0);
+
+        /// <summary>
+        /// Begins to find what takes longest in the scene of the poses; from then on the scene and its materials,
+        /// crease angle, edges, phase centre and range may not change.
+        /// </summary>
+        public void Begin() => _ahead ??= new SceneAhead(PlacedScene, () => FoundPatches,
+            HasEdges ? () => _wedges.Value : (Func<WedgeSet>)null);
 
         /// <summary>What was begun, for one tracer.</summary>
         internal SceneAhead TakeAhead()

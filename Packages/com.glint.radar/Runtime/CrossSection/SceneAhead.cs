@@ -15,14 +15,14 @@ namespace Glint
         readonly Task<WedgeSet> _wedges;
 
         /// <param name="patches">Of each instance; may take long.</param>
-        /// <param name="hasEdges">Whether wedges are needed.</param>
-        public SceneAhead(RadarScene scene, Func<SurfacePatches[]> patches, bool hasEdges)
+        /// <param name="wedges">Of the scene; may take long. Null: they are not needed.</param>
+        public SceneAhead(RadarScene scene, Func<SurfacePatches[]> patches, Func<WedgeSet> wedges)
         {
             Patches = patches;
             _bvhs = scene.Instances.Select(instance => instance.Mesh).Distinct()
                 .ToDictionary(mesh => mesh, mesh => Task.Run(() => MeshBvh.Build(mesh, BvhLayout.Binary)));
-            if (hasEdges)
-                _wedges = Task.Run(() => EdgeBuffers.WedgesOf(scene, patches()));
+            if (wedges != null)
+                _wedges = Task.Run(wedges);
         }
 
         /// <summary>The patches of each instance.</summary>

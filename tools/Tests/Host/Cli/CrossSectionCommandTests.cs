@@ -364,6 +364,22 @@ public sealed class CrossSectionCommandTests
     }
 
     [Test]
+    public void EdgesOfCoatedFaces_AreNamedWithTheirLength()
+    {
+        string[] rcs = [At("plate.obj"), "--tolerance", "1", "--out", At("rcs")];
+        string[] coated = [.. rcs, "--material", "*=metal,4,0.4,1,0,0.002"];
+        string Output(string[] arguments)
+        {
+            var (code, output, error) = Execute(arguments);
+            Assert.That(code, Is.Zero, error);
+            return output;
+        }
+        Assert.That(Output(coated), Does.Contain("note: 4 edges, 1 m in all, have no fringe fields"));
+        foreach (string[] without in new[] { rcs, [.. coated, "--edges", "off"] })
+            Assert.That(Output(without), Does.Not.Contain("fringe fields"));
+    }
+
+    [Test]
     public void SmallTarget_IsWarnedOf()
     {
         var (code, _, error) = Execute(At("plate.obj"), "--frequency", "1e9", "--tolerance", "1", "--out", At("rcs"));
