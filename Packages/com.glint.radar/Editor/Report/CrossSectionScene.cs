@@ -11,6 +11,8 @@ namespace Glint.Editor
     /// </summary>
     public sealed class CrossSectionScene
     {
+        static readonly Command[] s_commands = { Commands.Rcs, Commands.Echo, Commands.Isar };
+
         readonly StoredRun _run;
         readonly RadarScene _scene;
         readonly int _row;
@@ -26,7 +28,11 @@ namespace Glint.Editor
         {
             if (run.Info.Command == null)
                 throw new GlintException("the results name no command: their scene cannot be opened again");
-            var command = Commands.All.Single(each => each.Name == run.Info.Command[0]);
+            string name = run.Info.Command.FirstOrDefault();
+            var command = s_commands.SingleOrDefault(each => each.Name == name)
+                ?? throw new GlintException($"the results are those of a command '{name}', and this version "
+                    + $"opens the scenes of {string.Join(", ", s_commands.Select(each => each.Name))}: use the version "
+                    + "that wrote them");
             var line = CommandLine.Parse(command, run.Info.Command.Skip(1).ToArray());
             return new CrossSectionScene(run, CrossSectionCommand.OpenScene(line).scene, row);
         }

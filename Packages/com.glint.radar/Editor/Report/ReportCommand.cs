@@ -33,7 +33,7 @@ namespace Glint.Editor
             bool hasScene = hasPoses && pose != ReportOptions.NoPose && run.Count > 0;
             Write(run, hasScene ? CaptureOf(run, pose - 1, progress) : null, path,
                 run.Table == ResultTable.Screen ? ScreenReport.Of(line.Input) : null);
-            progress.Print($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)");
+            progress.Print(FormattableString.Invariant($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)"));
             return Batch.Done;
         }
 

@@ -149,6 +149,24 @@ public sealed class ContributionTests
         Assert.That((string)Report()["no_scene"], Does.Contain("plate.obj"));
     }
 
+    /// <summary>Results of a newer version, or edited ones.</summary>
+    [Test]
+    public void Report_OfAnUnknownCommand_HasNoSceneAndSaysWhy()
+    {
+        Run("rcs", At("plate.obj"), "--tolerance", "0.5", "--out", At("rcs"));
+        string results = At("rcs/results.json"), text = File.ReadAllText(results);
+        foreach (string name in new[] { "rcs2", "ship" })
+        {
+            var json = JObject.Parse(text);
+            Assert.That((string)json["command"][0], Is.EqualTo("rcs"));
+            json["command"][0] = name;
+            File.WriteAllText(results, json.ToString());
+            var (code, _, error) = TestShell.Run("report", At("rcs"));
+            Assert.That(code, Is.Zero, error);
+            Assert.That(error, Does.Contain("the report has no 3-D view: the results are those of a command '" + name));
+        }
+    }
+
     JObject Report() => JObject.Parse(Regex.Match(File.ReadAllText(At("rcs/report.html")),
         "<script type=\"application/json\" id=\"data\">(.*?)</script>").Groups[1].Value);
 
