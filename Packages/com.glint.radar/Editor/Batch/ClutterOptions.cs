@@ -12,20 +12,20 @@ namespace Glint.Editor
             s_seconds = Interval.Closed(-1e6, 1e6);
 
         /// <summary>Grazing angles, degrees.</summary>
-        public static readonly Option<double[]> Grazing = List("grazing",
+        public static readonly Option<double[]> Grazing = Options.List("grazing",
             new NumberList("grazing angle", s_grazing, "degrees", ("1:10:1", "1,3,10")),
-            "1,2,3,5,7,10,15,20,30,45,60,70",
+            "1,2,3,5,7,10,15,20,30,45,60,70", Group,
             "Grazing angles in degrees, from the horizontal: FROM:TO:STEP or a list with commas. Without it, with the "
                 + "level of a published model: those at which the model holds.");
 
         /// <summary>Azimuths of the radar, degrees.</summary>
-        public static readonly Option<double[]> Azimuth = List("azimuth", CrossSectionRanges.Azimuths, "0",
-            "Azimuths of the radar in degrees, positive as Unity's rotation about Y, as a range or list. At 0 it looks "
-                + "north, along +Z; at 90 east, along +X.");
+        public static readonly Option<double[]> Azimuth = Options.List("azimuth", CrossSectionRanges.Azimuths, "0",
+            Group, "Azimuths of the radar in degrees, positive as Unity's rotation about Y, as a range or list. At 0 "
+                + "it looks north, along +Z; at 90 east, along +X.");
 
         /// <summary>Frequencies, hertz.</summary>
-        public static readonly Option<double[]> Frequency = List("frequency", SweepAxis.Frequency.List, "10e9",
-            "Frequencies in hertz, as a range or list, from 1e9 to 4.7e10.");
+        public static readonly Option<double[]> Frequency = Options.List("frequency", SweepAxis.Frequency.List, "10e9",
+            Group, "Frequencies in hertz, as a range or list, from 1e9 to 4.7e10.");
 
         /// <summary>Times of a sea without snapshots, seconds; null when not given.</summary>
         public static readonly Option<double[]> Times = new Option<double[]>("times", "LIST",
@@ -56,11 +56,5 @@ namespace Glint.Editor
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All =
             { Grazing, Azimuth, Frequency, Options.Snapshots, Times, Cell, Options.Clutter, Out, Options.Device };
-
-        static Option<double[]> List(string name, NumberList list, string standard, string help) =>
-            new Option<double[]>(name, "LIST", list.Read)
-            {
-                Group = Group, Range = "each " + list.Range, DefaultText = standard, Help = help
-            };
     }
 }

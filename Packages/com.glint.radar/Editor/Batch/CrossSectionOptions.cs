@@ -13,18 +13,18 @@ namespace Glint.Editor
         static readonly Interval s_rows = Interval.Closed(1, CrossSectionPlan.Limit);
 
         /// <summary>Azimuths of the radar, degrees.</summary>
-        public static readonly Option<double[]> Azimuth = List("azimuth", CrossSectionRanges.Azimuths, "0",
-            "Azimuths of the radar in degrees, positive as Unity's rotation about Y: FROM:TO:STEP or a list with "
-                + "commas. At 0 it is on the -Z side and looks along +Z.");
+        public static readonly Option<double[]> Azimuth = Options.List("azimuth", CrossSectionRanges.Azimuths, "0",
+            Group, "Azimuths of the radar in degrees, positive as Unity's rotation about Y: FROM:TO:STEP or a list "
+                + "with commas. At 0 it is on the -Z side and looks along +Z.");
 
         /// <summary>Elevations of the radar, degrees.</summary>
-        public static readonly Option<double[]> Elevation = List("elevation", CrossSectionRanges.Elevations, "0",
-            "Elevations of the radar above the horizontal in degrees, as a range or list.");
+        public static readonly Option<double[]> Elevation = Options.List("elevation", CrossSectionRanges.Elevations,
+            "0", Group, "Elevations of the radar above the horizontal in degrees, as a range or list.");
 
         /// <summary>Frequencies, hertz.</summary>
-        public static readonly Option<double[]> Frequency = List("frequency", SweepAxis.Frequency.List, "10e9",
-            "Frequencies in hertz, as a range or list. One trace gives those within 10 %, fewer of a surface with a "
-                + "material.");
+        public static readonly Option<double[]> Frequency = Options.List("frequency", SweepAxis.Frequency.List, "10e9",
+            Group, "Frequencies in hertz, as a range or list. One trace gives those within 10 %, fewer of a surface "
+                + "with a material.");
 
         /// <summary>Elements of the scattering matrix.</summary>
         public static readonly Option<Polarisation[]> Polarisations =
@@ -173,12 +173,6 @@ namespace Glint.Editor
                     + "use at most as many parts");
             return plan;
         }
-
-        static Option<double[]> List(string name, NumberList list, string standard, string help) =>
-            new Option<double[]>(name, "LIST", list.Read)
-            {
-                Group = Group, Range = "each " + list.Range, DefaultText = standard, Help = help
-            };
 
         static bool ReadSwitch(string text)
         {

@@ -450,6 +450,13 @@ namespace Glint.Editor
                 Help = help
             };
 
+        internal static Option<double[]> List(string name, NumberList list, string standard, string group,
+            string help) =>
+            new Option<double[]>(name, "LIST", list.Read)
+            {
+                Group = group, Range = "each " + list.Range, DefaultText = standard, Help = help
+            };
+
         internal static Option<int> Whole(string name, string valueName, string standard, Interval range, string group,
             string help, InputKind inputs = InputKind.Any) =>
             new Option<int>(name, valueName, text => Values.Whole(text, range))
