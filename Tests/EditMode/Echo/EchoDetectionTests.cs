@@ -11,9 +11,9 @@ namespace Glint.Tests
         const double Rate = 1e-6;
 
         /// <summary>
-        /// The exact rate in white noise over the band, of a cell in the middle of a profile and of one at its end. With
-        /// neighbouring cells for reference cells it would be 3 (256 frequencies) to 24 times (130) the asked rate with the
-        /// default window.
+        /// The exact rate in white noise over the band, of a cell in the middle of a profile and of one at its end.
+        /// With neighbouring cells for reference cells it would be 3 (256 frequencies) to 24 times (130) the asked rate
+        /// with the default window.
         /// </summary>
         [Test]
         public void FalseAlarms_OfAProfile_AreAsManyAsAskedFor(
@@ -28,7 +28,9 @@ namespace Glint.Tests
                     Is.InRange(0.85, 1.25), $"cell {cell}");
         }
 
-        /// <summary>The same of a map, whose first and last rows are neighbours, also where there are few rows.</summary>
+        /// <summary>
+        /// The same of a map, whose first and last rows are neighbours, also where there are few rows.
+        /// </summary>
         [TestCase("taylor", 40, 32)]
         [TestCase("taylor", 66, 20)]
         [TestCase("blackman", 40, 17)]

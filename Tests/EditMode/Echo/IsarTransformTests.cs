@@ -71,7 +71,8 @@ namespace Glint.Tests
             var plan = isTrack
                 ? new CrossSectionPlan(new RadarTrack(steps.Select(step => distance * math.radians(step)).ToArray(),
                     Azimuth, elevation, distance), frequencies)
-                : new CrossSectionPlan(steps.Select(step => Azimuth + step).ToArray(), new[] { elevation }, frequencies);
+                : new CrossSectionPlan(steps.Select(step => Azimuth + step).ToArray(), new[] { elevation },
+                    frequencies);
             var looks = Enumerable.Range(0, LookCount).Select(look => plan[look * s_band.Count]).ToArray();
             var range = NewRange();
             var transform = new IsarTransform(range, s_band, looks.Select(look => look.Radar).ToArray(), Azimuth,

@@ -109,8 +109,8 @@ namespace Glint.Core
             return count > 0 ? FactorOf(count) * Level(count) : double.PositiveInfinity;
         }
 
-        // Copies the reference cells of a cell: those of the rectangle around it that are not in the guard rectangle, at
-        // the steps.
+        // Copies the reference cells of a cell: those of the rectangle around it that are not in the guard rectangle,
+        // at the steps.
         int Gather(double[] power, int columns, int index)
         {
             int row = index / columns, column = index % columns, rows = power.Length / columns,

@@ -193,13 +193,15 @@ namespace Glint.Core
         /// <summary>Pixels along a side.</summary>
         public int Pixels { get; set; }
 
-        /// <summary>A bin of down range on the image's horizontal plane, metres: c / (2 B cos e), e the elevation.</summary>
+        /// <summary>
+        /// A bin of down range on the image's horizontal plane, metres: c / (2 B cos e), e the elevation.
+        /// </summary>
         public static double DownBin(FrequencyBand band, CrossSectionPlan plan) =>
             band.RangeResolution / Math.Cos(ElevationOf(plan));
 
         /// <summary>
-        /// A bin of cross range on it, metres: lambda / 2 over the angle that all looks make. Azimuths at the elevation e
-        /// make cos e times their own angle; places of a track make the angle at which the track is seen.
+        /// A bin of cross range on it, metres: lambda / 2 over the angle that all looks make. Azimuths at the elevation
+        /// e make cos e times their own angle; places of a track make the angle at which the track is seen.
         /// </summary>
         public static double CrossBin(FrequencyBand band, CrossSectionPlan plan)
         {

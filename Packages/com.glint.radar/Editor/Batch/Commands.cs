@@ -206,9 +206,9 @@ namespace Glint.Editor
                         + "plane through the phase centre: down range away from the radar at the middle azimuth, cross "
                         + "range to its right. A point on the plane keeps its cross section; one above it is moved "
                         + "towards the radar, unless the elevation is 0.",
-                    "On this plane a bin of down range is c / (2 B cos e), e the elevation. A bin of cross range is the "
-                        + "wavelength over twice the angle of all azimuths in radians and cos e; the unambiguous cross "
-                        + "range has as many bins as there are azimuths.",
+                    "On this plane a bin of down range is c / (2 B cos e), e the elevation. A bin of cross range is "
+                        + "the wavelength over twice the angle of all azimuths in radians and cos e; the unambiguous "
+                        + "cross range has as many bins as there are azimuths.",
                     "Without --out the files go to Results/<name of the input>-isar beside the project's Assets."
                 },
             Handler = EchoCommand.Execute,

@@ -244,8 +244,8 @@ namespace Glint.Editor
             if (elevations.Length > 1)
                 throw new UsageException($"{CrossSectionOptions.Elevation.Flag}: an image takes one elevation");
             if (!(Math.Abs(elevations[0]) < 90))
-                throw new UsageException($"{CrossSectionOptions.Elevation.Flag}: from above a horizontal image has no down "
-                    + "range: give an elevation between -90 and 90 degrees");
+                throw new UsageException($"{CrossSectionOptions.Elevation.Flag}: from above a horizontal image has no "
+                    + "down range: give an elevation between -90 and 90 degrees");
             if (line.IsGiven(CrossSectionOptions.Range) && !line.IsGiven(Track))
                 throw new UsageException($"{CrossSectionOptions.Range.Flag}: an image of azimuths is one from far away: give "
                     + $"{Track.Flag} {Track.ValueName} too, or leave the range out");
