@@ -67,7 +67,7 @@ namespace Glint.Core
                 (int)Math.Ceiling(StepBandwidths * window.NoiseBandwidth * size / bins);
             int GuardOf(int size, int bins, int step) =>
                 Math.Max(step - 1, (int)Math.Ceiling(GuardBins * (double)size / bins));
-            // Echoes beyond the unambiguous range are folded: the first and the last cell are neighbours, and so are
+            // Echoes outside the unambiguous range are folded: the first and the last cell are neighbours, and so are
             // the first and the last speed. Reference cells keep clear of the tested cell there, and rows of each
             // other.
             int step = StepOf(cells, frequencies), guard = GuardOf(cells, frequencies, step),
