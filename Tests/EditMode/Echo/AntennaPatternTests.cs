@@ -100,6 +100,9 @@ namespace Glint.Tests
                 "antenna: the cosecant's angles from 3 to -40 degrees must lead away from 0 on one side");
             AssertRefused(() => AntennaPattern.Table(new[] { 1.0, 1 }, new Complex[2]),
                 "antenna: the angle 1 degrees of the pattern's table follows 1: put the rows in ascending order");
+            AssertRefused(() => AntennaPattern.Table(new[] { 0.0, 359 }, new Complex[2]),
+                "antenna: the angle 359 degrees of the pattern's table must be from -180 to 180: write 359 as -1, and put "
+                    + "the rows in ascending order");
             AssertRefused(() => AntennaPattern.Table(new[] { 1.0, 2 }, new Complex[3]),
                 "antenna: 3 fields of the pattern's table, 2 are needed");
             AssertRefused(() => AntennaPattern.Table(new[] { 1.0 }, new Complex[1]),

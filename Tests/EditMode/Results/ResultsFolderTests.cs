@@ -50,6 +50,25 @@ namespace Glint.Tests
             Assert.That(Csv().Split('\n')[1], Does.StartWith("7,"));
         }
 
+        // The echo of the first pose may be 0, as of a radar that looks up.
+        [Test]
+        public void Finish_WithAnEchoAfterTheFirstRow_HasItsColumns()
+        {
+            var echo = new CrossSectionResult(1, 1);
+            echo.S[0, 0] = new ScatteringMatrix { VV = 10 };
+            echo.Clutter[0] = default;
+            SweepRow With(double angle, CrossSectionResult result)
+            {
+                var row = SampleRun.Row(angle);
+                return new SweepRow(row.Pose, row.Result.With(PoseEcho.Of(result)));
+            }
+            Sweep(With(0, new CrossSectionResult(1, 1)), With(1, echo));
+            var lines = Csv().TrimEnd().Split('\n').Select(line => line.Split(',')).ToArray();
+            int column = Array.IndexOf(lines[0], "sigma_vv_dbsm");
+            Assert.That(lines.Select(line => line.Length), Is.All.EqualTo(lines[0].Length));
+            Assert.That((lines.Length, lines[1][column], lines[2][column]), Is.EqualTo((3, "", "20")));
+        }
+
         [Test]
         public void Append_Row_IsInTheFileAtOnce()
         {

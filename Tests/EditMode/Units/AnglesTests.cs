@@ -9,6 +9,7 @@ namespace Glint.Tests
     {
         [TestCase("0:45:1", 46, 0, 45)]
         [TestCase("0:0:1", 1, 0, 0)]
+        [TestCase("0:1e-30:1", 1, 0, 0, Description = "the same in the 28 places of a decimal")]
         [TestCase("-10:10:2.5", 9, -10, 10)]
         [TestCase("0:360:0.1", 3601, 0, 360)]
         [TestCase("0:1:1e-3", 1001, 0, 1)]

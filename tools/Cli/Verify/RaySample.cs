@@ -8,7 +8,7 @@ namespace Glint.Cli;
 /// </summary>
 sealed class RaySample
 {
-    readonly int _every, _everyReceived;
+    readonly long _every, _everyReceived;
     long _seen, _seenReceived;
 
     public RaySample(RadarSettings settings, long received, int count)
@@ -30,7 +30,7 @@ sealed class RaySample
         return ray.IsReceived && _seenReceived++ % _everyReceived == 0 || isTaken;
     }
 
-    static int Every(long all, int count) => (int)Math.Max(1, (all + count - 1) / count);
+    static long Every(long all, int count) => Math.Max(1, (all + count - 1) / count);
 
-    static int Divisor(int a, int b) => b == 0 ? a : Divisor(b, a % b);
+    static long Divisor(long a, long b) => b == 0 ? a : Divisor(b, a % b);
 }

@@ -66,13 +66,19 @@ namespace Glint.Core
         /// <summary>
         /// Fields at angles. Between them real and imaginary part are linear, outside them the field is 0.
         /// </summary>
-        /// <param name="degrees">Ascending, two at least.</param>
-        /// <exception cref="GlintException">The table has no order, or its columns differ in length.</exception>
+        /// <param name="degrees">Ascending, two at least, from -180 to 180.</param>
+        /// <exception cref="GlintException">
+        /// The table has no order or other angles, or its columns differ in length.
+        /// </exception>
         public static AntennaPattern Table(IReadOnlyList<double> degrees, IReadOnlyList<Complex> fields)
         {
             Require.Equal("antenna", "fields of the pattern's table", fields.Count, degrees.Count);
             if (degrees.Count < 2)
                 throw new GlintException($"antenna: a pattern's table needs 2 rows or more, it has {degrees.Count}");
+            foreach (double angle in new[] { degrees[0], degrees[degrees.Count - 1] })
+                if (!(Math.Abs(angle) <= 180))
+                    throw new GlintException($"antenna: the angle {RadarSettings.Text(angle)} degrees of the pattern's "
+                        + "table must be from -180 to 180: write 359 as -1, and put the rows in ascending order");
             for (int i = 1; i < degrees.Count; i++)
                 if (!(degrees[i] > degrees[i - 1]))
                     throw new GlintException($"antenna: the angle {RadarSettings.Text(degrees[i])} degrees of the "

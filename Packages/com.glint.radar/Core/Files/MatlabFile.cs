@@ -21,6 +21,9 @@ namespace Glint.Core
         // characters of a name.
         const int HeaderText = 116, TagLength = 8, SmallElement = 4, LongestName = 63;
 
+        /// <summary>Numbers that a complex array has at most.</summary>
+        public const int MaxComplexNumbers = (int.MaxValue - 1024) / (2 * sizeof(double));
+
         readonly BinaryWriter _file;
 
         /// <param name="output">Receives the file; stays open.</param>

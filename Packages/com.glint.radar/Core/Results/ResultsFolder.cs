@@ -148,8 +148,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Writes and flushes one row to results.csv, so that it survives the end of the program.
-        /// The first row creates the folder, replaces an older results.csv and removes an older results.json.
+        /// Writes and flushes one row to the table's file, so that it survives the end of the program.
+        /// The first row creates the folder, replaces an older file and removes an older results.json.
         /// </summary>
         /// <exception cref="GlintException">
         /// The disk is full or the file cannot be written; earlier rows stay. Or a value is not finite.
@@ -188,11 +188,9 @@ namespace Glint.Core
                 Create();
                 Write(_rows);
             }
-            if (_table.IsArray)
-                WriteArrayHeader();
-            Close();
             try
             {
+                Try($"{CsvPath}: cannot be written", CompleteRows);
                 var run = new WholeRun(info, _rows);
                 if (info.Sweep != null && info.Sweep.Shard == null)
                     WriteWholeFiles(run, meanwhile);
@@ -365,6 +363,21 @@ namespace Glint.Core
                 throw new GlintException($"{path}: is of another sweep: {difference}: {StartAnew}");
         }
 
+        // Rows before the first one with optional columns, such as an echo that is not 0, were written without them.
+        void CompleteRows()
+        {
+            if (_table.IsArray)
+                WriteArrayHeader();
+            Close();
+            var columns = _table.ColumnsOf(_rows);
+            if (columns.Count != _table.ColumnsOf(_rows.Take(1)).Count)
+                Replace(CsvPath, file =>
+                {
+                    var csv = BytesOf(text => WriteCsv(text, columns, _rows));
+                    file.Write(csv, 0, csv.Length);
+                });
+        }
+
         void WriteArrayHeader()
         {
             var header = RowArray.Header(_rows.Count, _table);
@@ -398,7 +411,7 @@ namespace Glint.Core
             }
         }
 
-        // The columns are those of the first row, since all rows have an echo or none has.
+        // The columns are those of the first row until the end (CompleteRows).
         void WriteCsv(TextWriter text, IReadOnlyList<StoredRow> rows)
         {
             bool isFirst = _csvLength == 0;

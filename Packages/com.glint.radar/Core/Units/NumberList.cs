@@ -87,6 +87,8 @@ namespace Glint.Core
                 throw new FormatException("STEP must be at least "
                     + SmallestStep.ToString(CultureInfo.InvariantCulture));
             decimal from = ToDecimal(parts[0]), to = ToDecimal(parts[1]);
+            if (to == from) // in the places of a decimal
+                return new[] { first };
             // Any step larger than the range gives the same list; this one fits a decimal.
             return Steps(from, to, step > 2 * (last - first) ? 2 * (to - from) : ToDecimal(parts[2]));
         }

@@ -24,8 +24,9 @@ namespace Glint.Editor
                 + "it looks north, along +Z; at 90 east, along +X.");
 
         /// <summary>Frequencies, hertz.</summary>
-        public static readonly Option<double[]> Frequency = Options.List("frequency", SweepAxis.Frequency.List, "10e9",
-            Group, "Frequencies in hertz, as a range or list, from 1e9 to 4.7e10.");
+        public static readonly Option<double[]> Frequency = Options.List("frequency",
+            new NumberList("frequency", SeaScattering.Frequencies, "hertz", ("9e9:11e9:0.1e9", "9.4e9,10e9"),
+                "frequencies"), "10e9", Group, "Frequencies in hertz, as a range or list.");
 
         /// <summary>Times of a sea without snapshots, seconds; null when not given.</summary>
         public static readonly Option<double[]> Times = new Option<double[]>("times", "LIST",

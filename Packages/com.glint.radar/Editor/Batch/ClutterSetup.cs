@@ -40,6 +40,10 @@ namespace Glint.Editor
             foreach (string warning in _gatherer.Warnings)
                 Debug.LogWarning($"{line.Input}: {warning}");
             _grazing = GrazingOf(First.Clutter);
+            long rows = (long)_moments.Count * _frequencies.Length * _azimuths.Length * _grazing.Length;
+            if (rows > CrossSectionPlan.Limit)
+                throw new GlintException($"{line.Input}: the lists make {rows} rows, at most {CrossSectionPlan.Limit} are "
+                    + "possible: give larger steps, or several commands");
             Validate(First);
         }
 
@@ -154,8 +158,8 @@ namespace Glint.Editor
             double[] all = _line.Get(ClutterOptions.Grazing);
             if (Model == null || _line.IsGiven(ClutterOptions.Grazing))
                 return all;
-            var held = all.Where(grazing => Model.Holds(clutter.ConditionsAt(_frequencies[0], _azimuths[0], grazing)))
-                .ToArray();
+            var held = all.Where(grazing => _frequencies.All(frequency => _azimuths.All(azimuth =>
+                Model.Holds(clutter.ConditionsAt(frequency, azimuth, grazing))))).ToArray();
             return held.Length > 0 ? held : all;
         }
 

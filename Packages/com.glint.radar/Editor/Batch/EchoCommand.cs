@@ -33,6 +33,7 @@ namespace Glint.Editor
                     + $"{EchoOptions.NoiseFigure.Flag}, or a scene with a Sea whose clutter is on");
             if (settings.Radar?.Antenna is EchoAntenna antenna)
                 RequireInBeam(antenna, setup, opened.name);
+            RequireMatlab(settings, plan);
             Describe(settings.BandOf(plan), reach, opened.name, progress);
             if (plan.Pulses != null)
                 DescribePulses(settings.BandOf(plan), plan, opened.scene, opened.name, progress);
@@ -51,6 +52,19 @@ namespace Glint.Editor
                     : CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
                         progress);
             }
+        }
+
+        // The arrays are written after the last row.
+        static void RequireMatlab(EchoSettings settings, CrossSectionPlan plan)
+        {
+            if (!settings.HasMatlab)
+                return;
+            var range = settings.RangeOf(plan);
+            int rows = settings.DopplerOf(plan, range)?.Rows ?? 1;
+            long numbers = (long)Polarisation.Matrix.Count * plan.Poses * plan.Receivers * rows * range.Cells;
+            if (numbers > MatlabFile.MaxComplexNumbers)
+                throw new UsageException(FormattableString.Invariant(
+                    $"{EchoOptions.Matlab.Flag}: the {(plan.Pulses == null ? "profiles" : "maps")} of the run have {numbers:N0} complex numbers, and an array of a MAT-file has at most {MatlabFile.MaxComplexNumbers:N0}: leave it out, echo.npz has the same arrays, or ask for fewer directions, pulses or frequencies"));
         }
 
         // The gain towards the phase centre is that of the whole target.

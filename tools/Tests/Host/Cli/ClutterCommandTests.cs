@@ -206,11 +206,26 @@ public sealed class ClutterCommandTests
         Assert.That(Rows("out").Single()["shape_vv"], Is.Empty);
     }
 
+    // At 10 GHz the model has 11 of the option's angles, at 35 GHz none of the lowest.
+    [TestCase("10e9,35e9")]
+    [TestCase("35e9,10e9")]
+    public void Angles_WhereTheModelDoesNotHoldAtEachFrequency_AreLeftOut(string frequencies)
+    {
+        var setup = new ClutterSetup(CommandLine.Parse(Commands.Clutter, new[]
+            { "Scenes/SeaState5.unity", "--clutter", "nathanson", "--cell", "8", "--frequency", frequencies }));
+        double[] expected = [.. new double[] { 1, 2, 3, 5, 7, 10, 15, 20, 30, 45, 60, 70 }.Where(grazing =>
+            new[] { 10e9, 35e9 }.All(frequency =>
+                setup.Model.Holds(setup.First.Clutter.ConditionsAt(frequency, 0, grazing))))];
+        Assert.That(setup.Rows().Select(row => row.Grazing).Distinct(), Is.EqualTo(expected));
+        Assert.That(expected, Has.Length.InRange(1, 10));
+    }
+
     [TestCase(1, "glint: Scenes/SeaState5.unity: the clutter of 'Sea' is off: switch it on in its inspector, or give "
         + "--clutter on")]
     [TestCase(1, "--times", "--times", "1", "--clutter", "on")]
     [TestCase(1, "has no snapshot 11: it has 1 to 10", "--snapshots", "11", "--clutter", "on")]
-    [TestCase(1, "the frequency 60000000000 Hz must be", "--frequency", "6e10", "--clutter", "on")]
+    [TestCase(2, "--frequency 6e10: each frequency must be from 1e9 to 4.7e10 hertz", "--frequency", "6e10",
+        "--clutter", "on")]
     [TestCase(1, "clutter model nrl: the grazing angle 70 deg must be from 0.1 to 60 deg", "--clutter", "nrl",
         "--grazing", "1,70")]
     [TestCase(2, "--clutter gauss: must be one of on, physics, nrl, git, nathanson", "--clutter", "gauss")]

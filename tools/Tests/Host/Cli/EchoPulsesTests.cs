@@ -183,6 +183,10 @@ public sealed class EchoPulsesTests : EchoFixture
     [TestCase(2, "--detect: there is nothing but echoes to detect in: give --noise-figure", "--detect", "ca")]
     [TestCase(2, "--detect go: must be one of ca, os", "--detect", "go")]
     [TestCase(2, "--false-alarm: needs --detect CFAR", "--false-alarm", "1e-3")]
+    // 4 polarisations of 360 directions, 128 speeds and 1024 ranges
+    [TestCase(2, "--mat: the maps of the run have 188,743,680 complex numbers, and an array of a MAT-file has at most "
+        + "134,217,663", "--azimuth", "0:359:1", "--frequencies", "65", "--pulses", "33", "--prf", "2000", "--velocity",
+        "0,0,-6", "--mat")]
     public void Options_ThatDoNotGoTogether_AreRefusedBeforeAnyFile(int code, string message, params string[] options) =>
         AssertRefused(code, message, options);
 
