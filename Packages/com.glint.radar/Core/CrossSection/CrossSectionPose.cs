@@ -9,7 +9,7 @@ namespace Glint.Core
     public sealed class CrossSectionPose
     {
         /// <summary>Bend of an edge, degrees, above which it is sharp.</summary>
-        public const double DefaultCreaseDegrees = 20;
+        public const double DefaultCreaseDegrees = SurfacePatches.DefaultCreaseDegrees;
 
         /// <summary>Default of <see cref="ToleranceDb"/>.</summary>
         public const double DefaultToleranceDb = 0.1;
