@@ -35,11 +35,12 @@ sealed class ProgressBar : IProgressSink
             .Start(bars => work(new ProgressBar(bars, print, cancellation)));
     }
 
-    public void Start(string what, int total)
+    public void Start(string what, int total, int done = 0)
     {
         _what = what;
-        _done = 0;
+        _done = done;
         _bar = _bars.AddTask(Markup.Escape(what), maxValue: total);
+        _bar.Value = done;
     }
 
     public void Report(double value) => _bar.Value = _done + Math.Clamp(value, 0, 1);

@@ -12,16 +12,16 @@ sealed class ProgressLines(TextWriter output, TextWriter messages, Cancellation 
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(5), LongStep = TimeSpan.FromSeconds(2);
 
     string _what;
-    int _total, _done;
+    int _total, _before, _done;
     long _started, _stepStarted, _written;
 
     public CancellationToken Cancel => cancellation.Token;
 
-    public void Start(string what, int total)
+    public void Start(string what, int total, int done = 0)
     {
         _what = what;
         _total = total;
-        _done = 0;
+        _before = _done = done;
         _started = _stepStarted = _written = clock.GetTimestamp();
     }
 
@@ -43,8 +43,8 @@ sealed class ProgressLines(TextWriter output, TextWriter messages, Cancellation 
             return;
         _written = _stepStarted;
         var elapsed = clock.GetElapsedTime(_started, _stepStarted);
-        string left = done > 0 && done < _total
-            ? $", about {Text(elapsed * (_total - done) / done)} left"
+        string left = done > _before && done < _total
+            ? $", about {Text(elapsed * (_total - done) / (done - _before))} left"
             : $" in {Text(elapsed)}";
         messages.WriteLine($"{_what}: {done} of {_total}{left}{(note == null ? "" : $" ({note})")}");
     }

@@ -12,8 +12,10 @@ namespace Glint.Core
         /// <summary>Requests a stop: finished steps are kept and the current step is abandoned.</summary>
         CancellationToken Cancel { get; }
 
-        /// <summary>Work of <paramref name="total"/> steps begins.</summary>
-        void Start(string what, int total);
+        /// <summary>
+        /// Work of <paramref name="total"/> steps begins, of which <paramref name="done"/> were done before.
+        /// </summary>
+        void Start(string what, int total, int done = 0);
 
         /// <summary>
         /// Reports the number of finished steps; <paramref name="note"/> describes the last one in a few words (may be

@@ -124,11 +124,9 @@ namespace Glint.Editor
                 progress.Print(run.IsComplete
                     ? "already complete: nothing to do"
                     : FormattableString.Invariant($"resumed: {before} of {run.Count} poses are done"));
-            progress.Start(loaded.Name, run.Count);
+            progress.Start(loaded.Name, run.Count, before);
             try
             {
-                if (before > 0)
-                    progress.Advance(before, null);
                 while (!run.IsComplete && !progress.Cancel.IsCancellationRequested)
                 {
                     var row = run.Step(progress, progress.Cancel);

@@ -128,11 +128,9 @@ namespace Glint.Editor
                     ? "already complete: nothing to do"
                     : FormattableString.Invariant($"resumed: {before} of {run.Count} rows are done"));
             var warnings = new RowWarnings();
-            progress.Start(name, run.Count);
+            progress.Start(name, run.Count, before);
             try
             {
-                if (before > 0)
-                    progress.Advance(before, null);
                 while (!run.IsComplete && !progress.Cancel.IsCancellationRequested)
                 {
                     var row = run.Step(progress, progress.Cancel);

@@ -114,7 +114,7 @@ namespace Glint.Editor
         /// <summary>Cancelled by the button.</summary>
         public CancellationToken Cancel => _source.Token;
 
-        public void Start(string what, int total)
+        public void Start(string what, int total, int done = 0)
         {
             _what = what;
             Report(0);

@@ -16,16 +16,16 @@ namespace Glint
 
         readonly Stopwatch _sinceStart = new Stopwatch();
         string _what;
-        int _total, _done;
+        int _total, _before, _done;
         double _stepStart, _lastLine;
 
         /// <inheritdoc/>
         public CancellationToken Cancel => CancellationToken.None;
 
         /// <inheritdoc/>
-        public void Start(string what, int total)
+        public void Start(string what, int total, int done = 0)
         {
-            (_what, _total, _done) = (what, total, 0);
+            (_what, _total, _before, _done) = (what, total, done, done);
             _sinceStart.Restart();
             _stepStart = 0;
             _lastLine = double.NegativeInfinity;
@@ -50,7 +50,7 @@ namespace Glint
             if (done < _total && now - _lastLine < SecondsBetweenLines)
                 return;
             _lastLine = now;
-            double left = now / done * (_total - done);
+            double left = now / (done - _before) * (_total - done);
             string rest = done < _total
                 ? FormattableString.Invariant($", {left:0} s left")
                 : FormattableString.Invariant($" in {now:0.0} s");

@@ -221,7 +221,7 @@ public sealed class BenchTests
 
         public CancellationToken Cancel => _source.Token;
 
-        public void Start(string what, int total)
+        public void Start(string what, int total, int done = 0)
         {
             if (what == "poses and peers")
                 _source.CancelAfter(500);

@@ -10,7 +10,10 @@ sealed class CancelAfter(int rows) : IProgressSink
 
     public CancellationToken Cancel => _source.Token;
 
-    public void Start(string what, int total) { }
+    /// <summary>Rows that the command found done.</summary>
+    public int Before { get; private set; }
+
+    public void Start(string what, int total, int done = 0) => Before = done;
 
     public void Report(double value) { }
 

@@ -216,6 +216,9 @@ public sealed class CrossSectionCommandTests
         Assert.That(output, Does.Contain("resumed: 5 of 12 rows are done"));
         AssertSame("stopped");
         Assert.That(Run([.. rcs, "--out", At("stopped"), "--resume"]), Does.Contain("already complete"));
+        var progress = new CancelAfter(0);
+        Batch.Execute(CommandLine.Parse(Commands.Rcs, [.. rcs, "--out", At("stopped"), "--resume"]), progress);
+        Assert.That(progress.Before, Is.EqualTo(12), "rows done before take no time");
         var (code, _, error) = Execute([.. rcs, "--out", At("stopped"), "--resume", "--edges", "off"]);
         Assert.That(code, Is.EqualTo(1));
         Assert.That(error, Does.Contain("is of another sweep: edges was on and is off"));

@@ -1,9 +1,11 @@
 using System;
 using System.IO;
 using System.Linq;
+using System.Threading;
 using Glint.Cli;
 using NUnit.Framework;
 using Spectre.Console;
+using UnityEngine;
 
 namespace Glint.Host.Tests;
 
@@ -75,6 +77,42 @@ public sealed class ProgressTests
         progress.Report(0.5);
 
         Assert.That(Lines(messages), Is.EqualTo(new[] { "plate: 50 % done" }));
+    }
+
+    /// <summary>90 steps are left at 10 s each; the 900 steps done before took none of the 100 s.</summary>
+    [Test]
+    public void TimeLeft_OfAResumedSweep_IsByTheStepsSinceTheStart()
+    {
+        var (messages, clock) = (new StringWriter(), new StoppedClock());
+        using var cancellation = new Cancellation(Quiet(messages));
+        var progress = new ProgressLines(TextWriter.Null, messages, cancellation, clock);
+
+        progress.Start("sweep", 1000, 900);
+        clock.Seconds += 100;
+        progress.Advance(910, null);
+
+        Assert.That(Lines(messages), Is.EqualTo(new[] { "sweep: 910 of 1000, about 15 min left" }));
+    }
+
+    /// <summary>One step took 20 ms or more, so that 99 take 2 s or more; by all 901 it would be 2 ms.</summary>
+    [Test]
+    public void TimeLeft_InUnitysConsole_IsByTheStepsSinceTheStart()
+    {
+        string line = null;
+        void Listen(string text, string stack, LogType type) => line = text;
+        Application.logMessageReceived += Listen;
+        try
+        {
+            var progress = new LogProgress();
+            progress.Start("sweep", 1000, 900);
+            Thread.Sleep(20);
+            progress.Advance(901, null);
+        }
+        finally
+        {
+            Application.logMessageReceived -= Listen;
+        }
+        Assert.That(line, Does.Match("^Glint sweep: 901 of 1000, [1-9][0-9]* s left$"));
     }
 
     [Test]

@@ -125,7 +125,7 @@ public sealed class SweepBenchTests
 
         public CancellationToken Cancel => _source.Token;
 
-        public void Start(string what, int total) => Assert.That(what, Is.EqualTo("sweeps"));
+        public void Start(string what, int total, int done = 0) => Assert.That(what, Is.EqualTo("sweeps"));
 
         public void Report(double value)
         {

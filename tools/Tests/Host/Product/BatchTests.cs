@@ -57,15 +57,18 @@ public sealed class BatchTests
     public void Sweep_CancelledAfterAPose_KeepsItsRow()
     {
         string results = Path.Combine(_folder, "results");
-        var line = CommandLine.Parse(Commands.Sweep, new[] { "Scenes/CornerReflector.unity", "--target",
-            "Corner Reflector", "--angles", "0,10,20", "--size", "64x36", "--out", results });
+        string[] sweep = { "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,10,20", "--size",
+            "64x36", "--out", results };
         var progress = new CancelAfterAPose();
 
-        Assert.That(Batch.Execute(line, progress), Is.EqualTo(130));
+        Assert.That(Batch.Execute(CommandLine.Parse(Commands.Sweep, sweep), progress), Is.EqualTo(130));
         Assert.That(progress.Part, Is.EqualTo(1), "told how much of the pose is done");
         Assert.That(File.ReadAllLines(Path.Combine(results, "results.csv")).Skip(1).Select(row => row.Split(',')[0]),
             Is.EqualTo(new[] { "0" }));
         Assert.That(File.Exists(Path.Combine(results, "results.json")), Is.False);
+
+        Batch.Execute(CommandLine.Parse(Commands.Sweep, sweep.Append("--resume").ToArray()), progress);
+        Assert.That(progress.Before, Is.EqualTo(1), "poses done before take no time");
     }
 
     [Test]
@@ -152,7 +155,9 @@ public sealed class BatchTests
 
         public CancellationToken Cancel => _source.Token;
 
-        public void Start(string what, int total) { }
+        public int Before { get; private set; }
+
+        public void Start(string what, int total, int done = 0) => Before = done;
 
         public void Report(double value) => Part = value;
 

@@ -142,7 +142,7 @@ public sealed class GeneratedAssetsTests
     {
         public System.Threading.CancellationToken Cancel => default;
 
-        public void Start(string what, int total) { }
+        public void Start(string what, int total, int done = 0) { }
 
         public void Report(double value) { }
 
