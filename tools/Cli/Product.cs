@@ -39,8 +39,14 @@ sealed class Product
     {
         if (!line.Command.NeedsProject)
             return Batch.Execute(line, null);
-        LogSink.Writer = (type, message) => _terminal.Report(Labelled(type, message));
         using var cancellation = new Cancellation(_terminal);
+        return Execute(line, cancellation);
+    }
+
+    /// <inheritdoc cref="Execute(CommandLine)"/>
+    internal int Execute(CommandLine line, Cancellation cancellation)
+    {
+        LogSink.Writer = (type, message) => _terminal.Report(Labelled(type, message));
         Engine.DeviceSelector = line.Get(Options.Device);
         if (line.Command.Options.Contains(Options.Device))
             GraphicsDevice.BeginOpening();
@@ -50,7 +56,8 @@ sealed class Product
         int exitCode = _terminal.Live == null
             ? Work(new ProgressLines(_terminal.Out, _terminal.Error, cancellation, TimeProvider.System))
             : ProgressBar.During(_terminal, cancellation, Work);
-        if (cancellation.IsRequested)
+        // Work that was complete when it was asked to stop has its result.
+        if (exitCode == Batch.Cancelled)
             throw new OperationCanceledException();
         // Written after the progress bars, which would be redrawn below every line.
         foreach (string text in _report)

@@ -1,5 +1,6 @@
 using System;
 using Glint.Core;
+using Glint.Editor;
 using Glint.Vulkan;
 
 namespace Glint.Cli;
@@ -7,7 +8,7 @@ namespace Glint.Cli;
 /// <summary>The command as a process: parses, runs, and reports each failure as one line and an exit code.</summary>
 sealed class Shell(Terminal terminal)
 {
-    const int Failure = 1, Cancelled = 130;
+    const int Failure = 1;
     const string TraceVariable = "GLINT_TRACE";
 
     public int Run(string[] arguments)
@@ -32,7 +33,7 @@ sealed class Shell(Terminal terminal)
         }
         catch (OperationCanceledException error)
         {
-            return Fail("stopped", error, Cancelled);
+            return Fail("stopped", error, Batch.Cancelled);
         }
         catch (Exception error)
         {

@@ -16,7 +16,10 @@ namespace Glint.Editor
     /// </summary>
     public static class Batch
     {
-        internal const int Done = 0, Failed = 1, Cancelled = 130;
+        /// <summary>The exit code of work that was cancelled.</summary>
+        public const int Cancelled = 130;
+
+        internal const int Done = 0, Failed = 1;
 
         /// <summary>Entry of Unity's -executeMethod: <c>glint sweep</c>.</summary>
         public static void Sweep() => ExecuteAndExit(Commands.Sweep, Environment.GetCommandLineArgs());
