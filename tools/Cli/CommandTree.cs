@@ -80,14 +80,14 @@ sealed class CommandTree
         {
             // The library parses the text after a switch's "=" as an argument.
             if (command.Options.Any(option => option.IsSwitch && option.Flag == result.Option.Name))
-                options.AddRange(raw.Where(word => word.StartsWith(result.Option.Name + "="))
+                options.AddRange(raw.Where(word => word.StartsWith(result.Option.Name + "=", StringComparison.Ordinal))
                     .Select(word => Pair(result.Option.Name, word[(word.IndexOf('=') + 1)..])));
             // The library takes the next word as the value of "--name=".
             if (raw.Contains(result.Option.Name + "="))
                 options.Add(Pair(result.Option.Name, ""));
             // A word that begins with "--" is a misspelt option, not a value; --name=--value is a value.
             options.AddRange(result.Tokens.Select(token => Pair(result.Option.Name,
-                token.Value.StartsWith("--") && raw.Contains(token.Value) ? null : token.Value)));
+                token.Value.StartsWith("--", StringComparison.Ordinal) && raw.Contains(token.Value) ? null : token.Value)));
             options.AddRange(Enumerable.Repeat(Pair(result.Option.Name, null),
                 Math.Max(0, result.IdentifierTokenCount - result.Tokens.Count)));
         }

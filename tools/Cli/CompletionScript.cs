@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
@@ -75,7 +76,7 @@ sealed class CompletionScript(string shell)
         Line("complete -F _glint glint");
 
         // One line of a case for the options with the same completion.
-        void Cases(Command command, System.Func<Option, bool> which, System.Func<Option, string> answer)
+        void Cases(Command command, Func<Option, bool> which, Func<Option, string> answer)
         {
             foreach (var group in command.Options.Where(which).GroupBy(answer))
                 Line($"        {string.Join('|', group.Select(option => $"{command.Name}:{option.Flag}"))}) "
@@ -173,7 +174,8 @@ sealed class CompletionScript(string shell)
         string.Join(' ', command.Options.Select(option => option.Flag).Append("--help"));
 
     // The first sentence. A full stop within a name or number has no space after it.
-    static string Sentence(string help) => help.IndexOf(". ") is var end && end > 0 ? help[..(end + 1)] : help;
+    static string Sentence(string help) =>
+        help.IndexOf(". ", StringComparison.Ordinal) is var end && end > 0 ? help[..(end + 1)] : help;
 
     static string Bracketed(string text) => text.Replace("[", "\\[").Replace("]", "\\]").Replace(":", "\\:");
 

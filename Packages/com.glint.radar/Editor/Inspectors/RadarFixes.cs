@@ -130,7 +130,8 @@ namespace Glint.Editor
         static bool IsOwn(Mesh mesh)
         {
             string path = AssetDatabase.GetAssetPath(mesh);
-            return path.Length == 0 || path.EndsWith(".asset") || path.EndsWith(".mesh");
+            return path.Length == 0 || path.EndsWith(".asset", StringComparison.Ordinal)
+                || path.EndsWith(".mesh", StringComparison.Ordinal);
         }
 
         static ModelImporter Importer(Mesh mesh) =>
