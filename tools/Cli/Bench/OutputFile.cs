@@ -17,20 +17,13 @@ sealed class OutputFile
     {
         _flag = flag;
         _path = path;
-        bool isNew = !File.Exists(path);
-        Try(() => new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write).Dispose());
-        if (isNew)
-            Try(() => File.Delete(path));
+        Try(() => FileDraft.Check(path));
     }
 
     public string Path => _path;
 
     /// <exception cref="GlintException">It cannot be written.</exception>
-    public void Write(Action<Stream> content) => Try(() =>
-    {
-        using var stream = new FileStream(_path, FileMode.Create, FileAccess.Write);
-        content(stream);
-    });
+    public void Write(Action<Stream> content) => Try(() => FileDraft.Write(_path, content));
 
     void Try(Action work)
     {

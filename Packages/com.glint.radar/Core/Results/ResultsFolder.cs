@@ -195,7 +195,7 @@ namespace Glint.Core
                 if (info.Sweep != null && info.Sweep.Shard == null)
                     WriteWholeFiles(run, meanwhile);
                 Try($"{JsonPath}: cannot be written ({CsvPath} is complete)",
-                    () => Replace(JsonPath, file => WriteJson(file, info)));
+                    () => FileDraft.Write(JsonPath, file => WriteJson(file, info)));
                 Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
             }
             finally
@@ -243,7 +243,7 @@ namespace Glint.Core
             try
             {
                 Try($"{PathOf(whole)}: cannot be written ({CsvPath} is complete)",
-                    () => Replace(PathOf(whole), file => whole.Write(file, run)));
+                    () => FileDraft.Write(PathOf(whole), file => whole.Write(file, run)));
                 return null;
             }
             catch (GlintException error)
@@ -493,24 +493,6 @@ namespace Glint.Core
         {
             using (var text = new StreamWriter(file, Utf8, 1 << 16) { NewLine = "\n" })
                 ResultsJson.Write(text, info, _rows, _table);
-        }
-
-        static void Replace(string path, Action<Stream> write)
-        {
-            string temporary = path + ".tmp";
-            try
-            {
-                using (var file = new FileStream(temporary, FileMode.Create, FileAccess.Write))
-                    write(file);
-                if (File.Exists(path))
-                    File.Replace(temporary, path, null);
-                else
-                    File.Move(temporary, path);
-            }
-            finally
-            {
-                File.Delete(temporary);
-            }
         }
 
         void RefuseOtherTables()

@@ -64,8 +64,7 @@ namespace Glint.Editor
         {
             try
             {
-                using (var file = File.Create(path))
-                    StlFile.Write(file, made);
+                FileDraft.Write(path, file => StlFile.Write(file, made));
                 return path;
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException

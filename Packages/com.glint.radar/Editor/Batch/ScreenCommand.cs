@@ -45,13 +45,14 @@ namespace Glint.Editor
             RequireFrames(line.Get(ScreenOptions.FrameRate), screen);
             var play = new ScenePlay(screen);
             play.Advance(line.Get(ScreenOptions.Time), 0);
-            using (var output = new VideoOutput(line, screen.Geometry))
             using (ResultsFolder.Open(folder, ResultTable.Screen))
+            using (var output = new VideoOutput(line, screen.Geometry))
             {
                 var files = new ScreenFiles(line, screen, folder);
                 int code = Turn(line, play, output, progress);
                 if (code != Batch.Done)
                     return code;
+                output.Finish();
                 progress.Print($"written: {string.Join(", ", files.Write().Concat(output.Paths))}");
             }
             return Batch.Done;
@@ -143,7 +144,7 @@ namespace Glint.Editor
         readonly DatagramSender _sender;
         readonly double _start = DateTime.UtcNow.TimeOfDay.TotalSeconds;
 
-        FileStream _file;
+        FileDraft _file;
         double _seconds;
 
         public VideoOutput(CommandLine line, ScreenGeometry geometry)
@@ -155,23 +156,14 @@ namespace Glint.Editor
             _encoder = new ScreenAsterix(geometry);
             if (udp != null)
                 _sender = new DatagramSender(udp.Port, udp.Host, line.Get(ScreenOptions.Ttl));
-            if (path != null)
-                Open(Path.GetFullPath(path));
-        }
-
-        void Open(string path)
-        {
-            try
+            if (path == null)
+                return;
+            Paths = new[] { Path.GetFullPath(path) };
+            Try(() =>
             {
-                Directory.CreateDirectory(Path.GetDirectoryName(path));
-                _file = File.Create(path);
-            }
-            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
-            {
-                Dispose();
-                throw ScreenFiles.Refusal(path, error, $"name another file with {ScreenOptions.Asterix.Flag}");
-            }
-            Paths = new[] { path };
+                Directory.CreateDirectory(Path.GetDirectoryName(Paths[0]));
+                _file = new FileDraft(Paths[0]);
+            });
         }
 
         public string[] Paths { get; private set; } = new string[0];
@@ -188,8 +180,24 @@ namespace Glint.Editor
                 _seconds += 60 / geometry.Radar.TurnsAMinute / geometry.Radar.Spokes;
                 byte[] message = _encoder.Encode(first + i, video, i * geometry.Radar.Cells,
                     (_start + _seconds) % 86400);
-                _file?.Write(message, 0, message.Length);
+                _file?.Stream.Write(message, 0, message.Length);
                 _sender?.Send(message);
+            }
+        }
+
+        /// <summary>The recording is complete: moves it to its place.</summary>
+        public void Finish() => Try(() => _file?.Finish());
+
+        void Try(Action change)
+        {
+            try
+            {
+                change();
+            }
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
+            {
+                Dispose();
+                throw ScreenFiles.Refusal(Paths[0], error, $"name another file with {ScreenOptions.Asterix.Flag}");
             }
         }
 

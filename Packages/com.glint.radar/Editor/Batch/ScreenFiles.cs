@@ -29,7 +29,8 @@ namespace Glint.Editor
         public IReadOnlyList<string> Write()
         {
             // Of a run before.
-            foreach (string name in new[] { ResultsFolder.JsonName, TableName, DetectionsName })
+            foreach (string name in new[]
+                { ResultsFolder.JsonName, PictureName, ResultTable.Screen.CsvName, TableName, DetectionsName })
                 At(name, File.Delete);
             var detected = _line.IsGiven(ScreenOptions.Detect) ? _screen.ReadDetections() : null;
             Write(PictureName, file => WritePicture(file, detected));
@@ -46,11 +47,7 @@ namespace Glint.Editor
 
         void Write(string name, Action<Stream> write)
         {
-            At(name, path =>
-            {
-                using (var file = File.Create(path))
-                    write(file);
-            });
+            At(name, path => FileDraft.Write(path, write));
             _paths.Add(Path.Combine(_folder, name));
         }
 

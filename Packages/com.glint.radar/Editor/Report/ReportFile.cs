@@ -57,25 +57,17 @@ namespace Glint.Editor
         {
             if (Directory.Exists(path))
                 throw new GlintException($"{path}: is a folder: name a file in it with {ReportOptions.Out.Flag}");
-            string draft = path + ".tmp";
             try
             {
                 string folder = Path.GetDirectoryName(Path.GetFullPath(path));
                 if (!Directory.Exists(folder))
                     throw new GlintException($"{path}: the folder {folder} does not exist: create it, "
                         + $"or name another file with {ReportOptions.Out.Flag}");
-                try
+                FileDraft.Write(path, file =>
                 {
-                    File.WriteAllText(draft, page, new UTF8Encoding(false));
-                    if (File.Exists(path))
-                        File.Replace(draft, path, null);
-                    else
-                        File.Move(draft, path);
-                }
-                finally
-                {
-                    File.Delete(draft);
-                }
+                    using (var text = new StreamWriter(file, new UTF8Encoding(false)))
+                        text.Write(page);
+                });
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException
                 || error is ArgumentException || error is NotSupportedException)

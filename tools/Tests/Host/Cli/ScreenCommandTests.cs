@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Net;
 using System.Net.Sockets;
+using Glint.Editor;
 using Glint.Tests;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
@@ -202,6 +203,35 @@ public sealed class ScreenCommandTests
         (code, _, error) = TestShell.Run("ppi", _scene, "--turns", "1", "--fps", "2", "--out", output);
         Assert.That(error, Does.Contain("picture.png: cannot be written: ").And.Contain("choose another results folder"));
         Assert.That(code, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Recording_OfARunThatIsRefusedOrStopped_IsTheOlderOne()
+    {
+        string video = Path.Combine(_folder, "video.ast"), rows = Path.Combine(_folder, "results.csv");
+        File.WriteAllText(video, "older");
+        File.WriteAllText(rows, "");
+        string[] line = [_scene, "--turns", "1", "--fps", "5", "--asterix", video, "--out", _folder];
+        var (code, _, error) = TestShell.Run(["ppi", .. line]);
+        Assert.That(error, Does.Contain("holds results.csv"));
+        Assert.That((code, File.ReadAllText(video)), Is.EqualTo((1, "older")));
+
+        File.Delete(rows);
+        Assert.That(Batch.Execute(CommandLine.Parse(Commands.Ppi, line), new CancelAfter(2)), Is.EqualTo(Batch.Cancelled));
+        Assert.That(Directory.GetFiles(_folder), Is.EqualTo(new[] { video }));
+        Assert.That(File.ReadAllText(video), Is.EqualTo("older"));
+    }
+
+    [Test]
+    public void Turn_WhosePictureCannotBeWritten_LeavesNoFileOfTheTurnBefore()
+    {
+        foreach (string name in new[] { "picture.png", "video.npz", "results.json" })
+            File.WriteAllText(Path.Combine(_folder, name), "older");
+        Directory.CreateDirectory(Path.Combine(_folder, "picture.png.tmp"));
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--turns", "1", "--fps", "2", "--out", _folder);
+        Assert.That(error, Does.Contain("picture.png: cannot be written: ").And.Contain("choose another results folder"));
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(Directory.GetFiles(_folder), Is.Empty);
     }
 
     // A file that another program keeps open is no more deleted than a folder.

@@ -121,6 +121,17 @@ public sealed class GeneratedAssetsTests
             Does.StartWith("none/ship.stl: the ship cannot be written").And.EndsWith("name another file with --stl"));
 
     [Test]
+    [Platform("Linux")]
+    public void Ship_AsAFile_OnAFullDisk_LeavesTheOlderFile()
+    {
+        File.WriteAllText("ship.stl", "older");
+        File.CreateSymbolicLink("ship.stl.tmp", "/dev/full");
+        Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Ship, "--stl", "ship.stl")).Message,
+            Does.StartWith("ship.stl: the ship cannot be written").And.Contain("space"));
+        Assert.That(File.ReadAllText("ship.stl"), Is.EqualTo("older"));
+    }
+
+    [Test]
     public void Sea_OutsideOfTheProject_IsRefused() =>
         Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Sea, "--out", Path.GetTempPath())).Message,
             Does.Contain("outside of the Unity project"));
