@@ -371,7 +371,7 @@ namespace Glint.Core
             Close();
             var columns = _table.ColumnsOf(_rows);
             if (columns.Count != _table.ColumnsOf(_rows.Take(1)).Count)
-                Replace(CsvPath, file =>
+                FileDraft.Write(CsvPath, file =>
                 {
                     var csv = BytesOf(text => WriteCsv(text, columns, _rows));
                     file.Write(csv, 0, csv.Length);
