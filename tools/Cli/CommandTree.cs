@@ -111,6 +111,8 @@ sealed class CommandTree
         string list = string.Join(", ", names);
         if (word == null)
             return new Core.UsageException($"a command is missing: {list}");
+        if (word == "help")
+            return new Core.UsageException("\"help\": no such command: give --help, or NAME --help for one of " + list);
         string nearest = Editor.Spelling.Nearest(word, names);
         return new Core.UsageException($"\"{word}\": no such command: "
             + $"{(nearest == null ? "the commands are " + list : $"did you mean {nearest}?")}");

@@ -115,6 +115,9 @@ namespace Glint.Editor
                 radar.ReceiverSize = new Vector2((float)size.x, (float)size.y);
             }
             var target = line.IsGiven(Options.Target) ? FindTarget(line.Input, line.Get(Options.Target)) : null;
+            if (target != null && line.IsGiven(Options.Angles) && !MovesAnything(target))
+                Debug.LogWarning($"{line.Input}: --target '{PathOf(target)}' has no mesh, sea or radar at or below it: "
+                    + "turning it changes nothing; name the object that holds the target's meshes");
             var sea = line.IsGiven(Options.Snapshots) ? SceneSearch.FindSea(line.Input) : null;
             return InOpenScene(radar, target, sea);
         }
@@ -183,6 +186,9 @@ namespace Glint.Editor
             settings.SkipSamplingError |= line.Get(Options.NoSamplingError);
             return settings;
         }
+
+        static bool MovesAnything(Transform target) => target.GetComponentInChildren<MeshFilter>() != null
+            || target.GetComponentInChildren<Sea>() != null || target.GetComponentInChildren<RadarController>() != null;
 
         static Transform FindTarget(string scene, string name)
         {

@@ -22,11 +22,8 @@ sealed class BenchCommand(Terminal terminal)
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public string[] Execute(CommandLine line, IProgressSink progress)
     {
-        var json = line.IsGiven(Options.Json) ? new OutputFile(Options.Json.Flag, line.Get(Options.Json)) : null;
-        var sceneFile = line.IsGiven(Options.WriteScene) ? new OutputFile(Options.WriteScene.Flag,
-            line.Get(Options.WriteScene)) : null;
-        var plot = new[] { Options.Accuracy, Options.Tubes }.Where(line.IsGiven)
-            .Select(option => new OutputFile(option.Flag, line.Get(option))).SingleOrDefault();
+        OutputFile json = OutputFile.Of(line, Options.Json), sceneFile = OutputFile.Of(line, Options.WriteScene),
+            plot = OutputFile.Of(line, Options.Accuracy) ?? OutputFile.Of(line, Options.Tubes);
         var plots = line.IsGiven(Options.CrossSectionPlots)
             ? Array.ConvertAll(s_crossSectionPlots, name => new OutputFile(Options.CrossSectionPlots.Flag,
                 Path.Combine(line.Get(Options.CrossSectionPlots), name)))

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Glint.Core;
+using Glint.Editor;
 
 namespace Glint.Cli;
 
@@ -18,6 +19,19 @@ sealed class OutputFile
         _flag = flag;
         _path = path;
         Try(() => FileDraft.Check(path));
+    }
+
+    /// <summary>The file of an option; null if it is not given.</summary>
+    /// <exception cref="UsageException">It is the input.</exception>
+    /// <exception cref="GlintException">It cannot be written.</exception>
+    public static OutputFile Of(CommandLine line, Option<string> option)
+    {
+        if (!line.IsGiven(option))
+            return null;
+        string path = line.Get(option);
+        if (line.Input != null && System.IO.Path.GetFullPath(path) == System.IO.Path.GetFullPath(line.Input))
+            throw new UsageException($"{option.Flag} {path}: is the input, which it would replace: name another file");
+        return new OutputFile(option.Flag, path);
     }
 
     public string Path => _path;

@@ -23,7 +23,7 @@ sealed class VerifyCommand(Terminal terminal)
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public (string[] Report, int ExitCode) Execute(CommandLine line, IProgressSink progress)
     {
-        var json = line.IsGiven(Options.Json) ? new OutputFile(Options.Json.Flag, line.Get(Options.Json)) : null;
+        var json = OutputFile.Of(line, Options.Json);
         var loaded = LoadedScene.Open(line);
         try
         {

@@ -46,6 +46,15 @@ namespace Glint.Core
         readonly Complex _permittivity;
         readonly WaveDensity _density;
 
+        /// <summary>Refuses a frequency outside <see cref="Frequencies"/>, hertz.</summary>
+        /// <exception cref="GlintException">It is.</exception>
+        public static void RequireFrequency(double frequency)
+        {
+            if (!Frequencies.Contains(frequency))
+                throw new GlintException($"sea clutter: the frequency {Medium.Number(frequency)} Hz must be "
+                    + $"{Frequencies} Hz, where spectra of the short waves hold");
+        }
+
         /// <summary>The sea at one frequency.</summary>
         /// <param name="frequency">Hz, one of <see cref="Frequencies"/>.</param>
         /// <param name="permittivity">Relative, e' - j e''.</param>
@@ -53,9 +62,7 @@ namespace Glint.Core
         /// <exception cref="GlintException">The frequency or the permittivity is not valid.</exception>
         public SeaScattering(double frequency, Complex permittivity, WaveDensity density)
         {
-            if (!Frequencies.Contains(frequency))
-                throw new GlintException($"sea clutter: the frequency {Medium.Number(frequency)} Hz must be "
-                    + $"{Frequencies} Hz, where spectra of the short waves hold");
+            RequireFrequency(frequency);
             if (!(permittivity.Real > 1 && permittivity.Imaginary <= 0 && Medium.IsFinite(permittivity.Real)
                 && Medium.IsFinite(permittivity.Imaginary)))
                 throw new GlintException($"sea clutter: the relative permittivity {Medium.Number(permittivity.Real)} - "

@@ -27,6 +27,9 @@ namespace Glint.Core
         readonly FileStream _file;
         bool _released;
 
+        /// <summary>Whether the file is in a folder, held or not.</summary>
+        public static bool IsIn(string folder) => File.Exists(Path.Combine(folder, FileName));
+
         /// <exception cref="GlintException">Another run has the folder, or it cannot be made or written.</exception>
         public FolderLock(string path)
         {

@@ -22,8 +22,7 @@ namespace Glint.Core
         public static ResultsFolder Merge(IReadOnlyList<string> folders, string output)
         {
             if (IsOneOf(folders, output))
-                throw new GlintException($"{output}: is one of the parts, which the whole would replace: "
-                    + "choose another results folder");
+                throw IsAPart(output);
             var parts = folders.Select(folder => (folder, results: Read(folder)))
                 .OrderBy(part => part.results.Info.Sweep.Shard.Value.Number).ToArray();
             var first = parts[0];
@@ -42,7 +41,7 @@ namespace Glint.Core
                     + $"{(missing.Length > 8 ? $" and {missing.Length - 8} more" : "")}: sweep with --shard for each, "
                     + "and give its folder too");
             CheckRows(parts);
-            return Write(parts.Select(part => part.results).ToArray(), output);
+            return Write(parts.Select(part => part.results).ToArray(), folders, output);
         }
 
         /// <summary>Whether the output is one of the parts.</summary>
@@ -95,7 +94,10 @@ namespace Glint.Core
             }
         }
 
-        static ResultsFolder Write(StoredRun[] parts, string output)
+        static GlintException IsAPart(string output) => new GlintException(
+            $"{output}: is one of the parts, which the whole would replace: choose another results folder");
+
+        static ResultsFolder Write(StoredRun[] parts, IReadOnlyList<string> folders, string output)
         {
             var info = parts[parts.Length - 1].Info;
             // Time from the first start to the last end.
@@ -104,8 +106,12 @@ namespace Glint.Core
             info.ElapsedMs = parts.Max(part =>
                 (part.Info.StartedUtc - info.StartedUtc).TotalMilliseconds + part.Info.ElapsedMs);
             info.Sweep = info.Sweep.WithShard(null);
+            var unlocked = folders.Where(part => !FolderLock.IsIn(part)).ToArray();
             using (var folder = ResultsFolder.Open(output, parts[0].Table))
             {
+                // By way of a link.
+                if (unlocked.Any(FolderLock.IsIn))
+                    throw IsAPart(output);
                 folder.Append(parts.SelectMany(part => part.Rows).ToArray());
                 folder.Finish(info);
                 return folder;

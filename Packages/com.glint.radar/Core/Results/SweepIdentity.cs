@@ -48,7 +48,9 @@ namespace Glint.Core
         /// <summary>The text of an entry; null if there is none.</summary>
         public string Find(string name) => _entries.FirstOrDefault(entry => entry.Key == name).Value;
 
-        static string Difference(string name, string was, string now) => $"{name} was {Shown(was)} and is {Shown(now)}";
+        static string Difference(string name, string was, string now) => name == Content
+            ? $"the meshes, places or materials of the scene are others ({name} was {Shown(was)} and is {Shown(now)})"
+            : $"{name} was {Shown(was)} and is {Shown(now)}";
 
         static string Shown(string text) => text == null ? "not given" : Values.Shown(text);
     }

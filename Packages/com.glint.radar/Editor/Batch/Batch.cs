@@ -101,6 +101,8 @@ namespace Glint.Editor
             if (ResultsMerge.IsOneOf(line.Folders, output))
                 throw new UsageException($"{Options.Out.Flag} {output}: is one of the parts, "
                     + "which the whole would replace: choose another results folder");
+            if (File.Exists(Path.Combine(output, ResultsFolder.PartialName)))
+                Debug.LogWarning($"{output}: holds a sweep that is not finished; the whole replaces it");
             var folder = ResultsMerge.Merge(line.Folders, Path.GetFullPath(output));
             progress.Print($"written: {string.Join(", ", folder.WrittenPaths)}");
             return Done;
@@ -123,6 +125,12 @@ namespace Glint.Editor
         {
             long hit = 0, received = 0;
             int undersampled = 0, before = run.Done;
+            foreach (var row in folder?.Rows ?? Array.Empty<StoredRow>())
+            {
+                hit += (long)row[ResultColumn.RaysHit];
+                received += (long)row[ResultColumn.RaysReceived];
+                undersampled += row.IsUndersampled ? 1 : 0;
+            }
             if (before > 0)
                 progress.Print(run.IsComplete
                     ? "already complete: nothing to do"
@@ -153,12 +161,11 @@ namespace Glint.Editor
             }
             if (!run.IsComplete)
                 return Cancelled;
-            if (run.Done > before)
-                WarnOfSilence(loaded.Name, hit, received);
+            WarnOfSilence(loaded.Name, hit, received);
             if (loaded.Radar.Settings.ToleranceDb > 0)
-                WarnOfTolerance(loaded.Name, undersampled, run.Count - before);
+                WarnOfTolerance(loaded.Name, undersampled, run.Count);
             else if (received > 0)
-                WarnOfUndersampling(loaded.Name, undersampled, run.Count - before);
+                WarnOfUndersampling(loaded.Name, undersampled, run.Count);
             if (folder != null && run.Done > before)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;

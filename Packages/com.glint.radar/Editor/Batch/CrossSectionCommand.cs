@@ -128,6 +128,8 @@ namespace Glint.Editor
                     ? "already complete: nothing to do"
                     : FormattableString.Invariant($"resumed: {before} of {run.Count} rows are done"));
             var warnings = new RowWarnings();
+            for (int row = 0; row < before; row++)
+                warnings.Add(folder.Rows[row], setup.Plan[run.First + row]);
             progress.Start(name, run.Count, before);
             try
             {

@@ -123,8 +123,8 @@ namespace Glint.Editor
 
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "DIR", ResultGroup,
-            "Folder for rcs.csv, rcs.npz, results.json and those of --contributions, created with its parents if "
-                + "missing.");
+            "Folder for the files of results: of glint rcs rcs.csv, rcs.npz, results.json and those of --contributions. It "
+                + "is created with its parents if missing.");
 
         /// <summary>Rows that are computed in double precision too; 0 when not given.</summary>
         public static readonly Option<int> Reference =

@@ -145,6 +145,9 @@ namespace Glint.Editor
         {
             progress.Print(FormattableString.Invariant(
                 $"{band.Count} frequencies from {band.Frequency(0):g9} to {band.Frequency(band.Count - 1):g9} Hz, range bin {band.RangeResolution:g4} m, unambiguous range {band.UnambiguousRange:g5} m"));
+            if (band.RangeResolution > 2 * reach)
+                Debug.LogWarning(FormattableString.Invariant(
+                    $"{name}: a range bin of {band.RangeResolution:g4} m holds all of its echoes, which take {2 * reach:g4} m: a profile shows one peak; give a larger {EchoOptions.Bandwidth.Flag}, in hertz"));
             if (band.UnambiguousRange < 2 * reach)
                 Debug.LogWarning(FormattableString.Invariant(
                     $"{name}: the unambiguous range is {band.UnambiguousRange:g4} m, but echoes of up to two bounces take {2 * reach:g4} m: some may be folded over others; give at least {EchoBand.CountFor(reach, band.Bandwidth):0} for {EchoOptions.Frequencies.Flag}"));

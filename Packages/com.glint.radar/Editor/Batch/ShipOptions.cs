@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Glint.Core;
 
@@ -10,13 +11,17 @@ namespace Glint.Editor
             .Select(measure => Options.Of(measure, ShipSettings.Default, "Ship")).ToArray();
 
         /// <summary>File of the mesh, in place of assets of the project; null when not given.</summary>
-        public static readonly Option<string> Stl = new Option<string>("stl", "FILE", Values.NotEmpty)
+        public static readonly Option<string> Stl = new Option<string>("stl", "FILE", ReadStl)
         {
             Group = Options.AssetFolder.Group,
             Excludes = new (Option, string)[] { (Options.AssetFolder, "the ship goes to one or the other") },
             Help = "Instead of mesh and prefab: a binary STL file of the mesh, in metres with y up, for glint rcs and "
                 + "other programs. It takes 50 bytes a triangle."
         };
+
+        // Other programs go by the name.
+        static string ReadStl(string text) => text.EndsWith(".stl", StringComparison.OrdinalIgnoreCase) ? text
+            : throw new FormatException("the name of an STL file must end with .stl");
 
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All = s_measures.Prepend(Stl).Prepend(Options.AssetFolder).ToArray();

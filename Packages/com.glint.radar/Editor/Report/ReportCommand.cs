@@ -30,6 +30,7 @@ namespace Glint.Editor
             string path = line.IsGiven(ReportOptions.Out)
                 ? line.Get(ReportOptions.Out)
                 : Path.Combine(line.Input, ReportFile.Name);
+            ReportFile.Check(path);
             bool hasScene = hasPoses && pose != ReportOptions.NoPose && run.Count > 0;
             Write(run, hasScene ? CaptureOf(run, pose - 1, progress) : null, path,
                 run.Table == ResultTable.Screen ? ScreenReport.Of(line.Input) : null);

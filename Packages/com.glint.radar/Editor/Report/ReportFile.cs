@@ -18,6 +18,9 @@ namespace Glint.Editor
         /// <summary>Placeholder of the figures in the template.</summary>
         internal const string Placeholder = "@GLINT_REPORT_DATA@";
 
+        // Of every page.
+        const string PageStart = "<!DOCTYPE html>";
+
         /// <summary>The page.</summary>
         /// <param name="template">Editor/Report/Template.txt.</param>
         /// <param name="scene">The scene in the form of the report's page; null: not shown.</param>
@@ -49,25 +52,54 @@ namespace Glint.Editor
             return template.Substring(0, index) + json + template.Substring(index + Placeholder.Length);
         }
 
-        /// <summary>Writes a page atomically.</summary>
+        /// <summary>Refuses a place where no report can be: before work on it begins.</summary>
         /// <exception cref="GlintException">
-        /// The path is a folder, its folder does not exist, or the file cannot be written.
+        /// The path is a folder, its folder does not exist, or a file that is no report is there.
         /// </exception>
-        public static void Write(string path, string page)
+        public static void Check(string path)
         {
             if (Directory.Exists(path))
                 throw new GlintException($"{path}: is a folder: name a file in it with {ReportOptions.Out.Flag}");
-            try
+            Try(path, () =>
             {
                 string folder = Path.GetDirectoryName(Path.GetFullPath(path));
                 if (!Directory.Exists(folder))
                     throw new GlintException($"{path}: the folder {folder} does not exist: create it, "
                         + $"or name another file with {ReportOptions.Out.Flag}");
-                FileDraft.Write(path, file =>
-                {
-                    using (var text = new StreamWriter(file, new UTF8Encoding(false)))
-                        text.Write(page);
-                });
+                if (File.Exists(path) && !IsPage(path))
+                    throw new GlintException($"{path}: is there, and is no report that could be replaced: "
+                        + $"name another file with {ReportOptions.Out.Flag}");
+            });
+        }
+
+        /// <summary>Writes a page atomically.</summary>
+        /// <inheritdoc cref="Check"/>
+        public static void Write(string path, string page)
+        {
+            Check(path);
+            Try(path, () => FileDraft.Write(path, file =>
+            {
+                using (var text = new StreamWriter(file, new UTF8Encoding(false)))
+                    text.Write(page);
+            }));
+        }
+
+        // An empty file has nothing to lose, nor has a device or a pipe.
+        static bool IsPage(string path)
+        {
+            if (new FileInfo(path).Length == 0)
+                return true;
+            var start = new char[PageStart.Length];
+            using (var text = new StreamReader(path))
+                return text.ReadBlock(start, 0, start.Length) == start.Length
+                    && new string(start).Equals(PageStart, StringComparison.OrdinalIgnoreCase);
+        }
+
+        static void Try(string path, Action work)
+        {
+            try
+            {
+                work();
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException
                 || error is ArgumentException || error is NotSupportedException)

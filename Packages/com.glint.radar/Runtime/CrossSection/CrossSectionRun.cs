@@ -18,7 +18,6 @@ namespace Glint
         readonly CrossSectionSetup _setup;
         readonly ResultsFolder _folder;
         readonly CrossSectionTracer _tracer;
-        readonly int _first;
         readonly FrequencyGroups _groups;
         readonly LookGroups _looks;
         readonly RadarScene _turningScene;
@@ -55,8 +54,8 @@ namespace Glint
             var ahead = setup.TakeAhead();
             setup.Validate(subject);
             int rows = setup.Plan.Count;
-            _first = shard?.First(rows) ?? 0;
-            Count = (shard?.End(rows) ?? rows) - _first;
+            First = shard?.First(rows) ?? 0;
+            Count = (shard?.End(rows) ?? rows) - First;
             _groups = new FrequencyGroups(setup.Plan.Frequencies, setup.UsedMaterials(), setup.MaxCoefficientError);
             _looks = setup.Looks;
             if (_looks.Looks > 1)
@@ -73,6 +72,9 @@ namespace Glint
             _tracer.Expect(ahead);
             _posesTogether = posesTogether;
         }
+
+        /// <summary>Number of the first row in the plan.</summary>
+        public int First { get; }
 
         /// <summary>Number of rows of the run, or of the part.</summary>
         public int Count { get; }
@@ -111,10 +113,10 @@ namespace Glint
         // a trace of its own, and is written alone.
         void Compute(IProgress<double> progress, CancellationToken cancel)
         {
-            int first = _first + Done, end = first + 1;
+            int first = First + Done, end = first + 1;
             if (!_traces.ContainsKey(TraceOf(_setup.Plan[first])))
                 TraceFrom(first, progress, cancel);
-            while (end < _first + Count && !_setup.HasContributions && _traces.ContainsKey(TraceOf(_setup.Plan[end])))
+            while (end < First + Count && !_setup.HasContributions && _traces.ContainsKey(TraceOf(_setup.Plan[end])))
                 end++;
             var rows = new CrossSectionRow[end - first];
             if (rows.Length == 1)
@@ -146,7 +148,7 @@ namespace Glint
                 _traces.Remove(done);
             var keys = new List<(int, int, int)>();
             var poses = new List<CrossSectionPose>();
-            for (; row < _first + Count && poses.Count < _posesTogether; row++)
+            for (; row < First + Count && poses.Count < _posesTogether; row++)
             {
                 var planned = _setup.Plan[row];
                 if (TraceOf(planned) != (pose, frequency, receiver))

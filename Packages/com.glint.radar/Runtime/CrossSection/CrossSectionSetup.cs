@@ -225,7 +225,7 @@ namespace Glint
             double highest = Plan.Frequencies.Last(), possible = MaxFrequency(ToleranceDb);
             if (highest > possible)
                 throw new GlintException(FormattableString.Invariant(
-                    $"{subject}: {highest:g6} Hz is too high for its size of {2 * Radius:g6} m and a tolerance of {ToleranceDb:g4} dB: phases in float32 are off by {PhaseError(highest):g2} rad; up to {possible:g4} Hz is possible, with a larger tolerance up to {MaxFrequency(double.PositiveInfinity):g4} Hz; or compute its parts alone"));
+                    $"{subject}: {highest:g6} Hz is too high for its size of {2 * Radius:g6} m and a tolerance of {ToleranceDb:g4} dB: phases in float32 are off by {PhaseError(highest):g2} rad; up to {possible:g4} Hz is possible{WithLargerTolerance(possible)}; or compute its parts alone"));
             if (Range <= Extent)
                 throw new GlintException(FormattableString.Invariant(
                     $"{subject}: a range of {Range:g6} m is inside of it: its farthest corner is {Extent:g6} m from the phase centre; give a larger range"));
@@ -234,6 +234,10 @@ namespace Glint
                     + "both sides, but nothing is followed into a dielectric: close the mesh, or make it a perfect "
                     + "conductor (metal)");
         }
+
+        string WithLargerTolerance(double possible) => MaxFrequency(double.PositiveInfinity) is double most && most > possible
+            ? FormattableString.Invariant($", with a larger tolerance up to {most:g4} Hz")
+            : "";
 
         // A spherical wave has many grazing angles.
         void RequireLevels()

@@ -7,19 +7,26 @@ namespace Glint
     /// <summary>Collects what is wrong with the rows of a run, for its end.</summary>
     public sealed class RowWarnings
     {
-        CrossSectionRow _worst;
+        PlannedCrossSection _worst;
+        double _worstError;
         int _rows, _unmet, _outside;
 
         /// <summary>Takes the next row.</summary>
-        public void Add(CrossSectionRow row)
+        public void Add(CrossSectionRow row) =>
+            Add(row.MeetsTolerance, row.IsOutsidePhysicalOptics, row.Accuracy.ErrorDb, row.Planned);
+
+        /// <summary>Takes a row of a run that is resumed.</summary>
+        public void Add(StoredRow row, in PlannedCrossSection planned) => Add(row[CrossSectionColumn.ToleranceMet] != 0,
+            row[CrossSectionColumn.OutsidePhysicalOptics] == 1, row[CrossSectionColumn.ErrorDb] ?? 0, planned);
+
+        void Add(bool isMet, bool isOutside, double errorDb, in PlannedCrossSection planned)
         {
             _rows++;
-            _outside += row.IsOutsidePhysicalOptics ? 1 : 0;
-            if (row.MeetsTolerance)
+            _outside += isOutside ? 1 : 0;
+            if (isMet)
                 return;
-            _unmet++;
-            if (_worst == null || row.Accuracy.ErrorDb > _worst.Accuracy.ErrorDb)
-                _worst = row;
+            if (_unmet++ == 0 || errorDb > _worstError)
+                (_worst, _worstError) = (planned, errorDb);
         }
 
         /// <summary>
@@ -32,7 +39,7 @@ namespace Glint
         {
             if (_unmet > 0)
                 yield return FormattableString.Invariant(
-                    $"{subject}: the tolerance of {toleranceDb:g4} dB was not met in {_unmet} of {_rows} rows (column tolerance_met): the largest standard error reached is {_worst.Accuracy.ErrorDb:g3} dB, at {_worst}; accept it, or ask for a larger {toleranceOrFloor}");
+                    $"{subject}: the tolerance of {toleranceDb:g4} dB was not met in {_unmet} of {_rows} rows (column tolerance_met): the largest standard error reached is {_worstError:g3} dB, at {_worst}; accept it, or ask for a larger {toleranceOrFloor}");
             if (_outside > 0)
                 yield return FormattableString.Invariant(
                     $"{subject}: {_outside} of {_rows} rows are outside physical optics, with radar and receiver more than {CrossSectionRow.MaxBistaticDegrees:0} degrees apart (column outside_physical_optics)");

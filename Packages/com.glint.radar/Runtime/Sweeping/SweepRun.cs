@@ -172,17 +172,30 @@ namespace Glint
         // earlier poses, so each axis changes once before the first row. Ends at the first pose.
         void Rehearse()
         {
-            Gather(0);
+            RequireFrequencies(Gather(0));
             foreach (var axis in SweepAxis.All)
                 if (_setup.Plan.FirstChange(axis) is var pose && pose > 0)
                     Gather(pose);
             Gather(0);
         }
 
-        void Gather(int pose)
+        RadarScene Gather(int pose)
         {
             _motions.Show(_setup.Plan[pose]);
-            _setup.Radar.Gather();
+            return _setup.Radar.Gather().Scene;
+        }
+
+        // Those of the last pose too, before the first one is traced.
+        void RequireFrequencies(RadarScene scene)
+        {
+            if (scene.Seas.Count == 0 || !_setup.Plan.Has(SweepAxis.Frequency))
+                return;
+            foreach (double frequency in _setup.Plan.Values(SweepAxis.Frequency))
+            {
+                SeaScattering.RequireFrequency(frequency);
+                foreach (var surface in scene.Surfaces)
+                    surface.RequireData(frequency);
+            }
         }
 
         void WriteJson()

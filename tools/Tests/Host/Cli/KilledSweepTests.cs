@@ -84,7 +84,8 @@ public sealed class KilledSweepTests
         File.WriteAllText(Corner, File.ReadAllText(Corner).Replace("1.4", "1.5"));
         var (code, _, error) = Execute(sweep);
         Assert.That(code, Is.EqualTo(1));
-        Assert.That(error, Does.StartWith($"glint: {At("swept")}/results.json: is of another sweep: content was "));
+        Assert.That(error, Does.StartWith($"glint: {At("swept")}/results.json: is of another sweep: the meshes, "
+            + "places or materials of the scene are others (content was "));
     }
 
     [TestCase("--shard 3/3: the sweep has 2 poses", "--shard", "3/3")]
