@@ -76,7 +76,7 @@ public sealed class KeptFilesTests
     [Test]
     public void Resume_OfRowsWithWarnings_RepeatsThem()
     {
-        string[] sweep = ["sweep", At("plate.obj"), "--angles", "80,81", "--size", "16x9", "--out", At("sweep"), "--resume"];
+        string[] sweep = ["sweep", At("plate.obj"), "--angles", "30,31", "--distance", "10", "--size", "32x18", "--out", At("sweep"), "--resume"];
         const string silent = "rays hit and none was received";
         Assert.That(Run(sweep), Does.Contain(silent));
         Assert.That(Run(sweep), Does.Contain(silent));
