@@ -120,9 +120,9 @@ namespace Glint.Tests
         {
             Directory.CreateDirectory(_path);
             string file = Path.Combine(_path, "report.html");
-            ReportFile.Write(file, "old");
-            ReportFile.Write(file, "new");
-            Assert.That(File.ReadAllText(file), Is.EqualTo("new"));
+            ReportFile.Write(file, "<!DOCTYPE html>old");
+            ReportFile.Write(file, "<!DOCTYPE html>new");
+            Assert.That(File.ReadAllText(file), Is.EqualTo("<!DOCTYPE html>new"));
             Assert.That(Directory.GetFiles(_path), Is.EqualTo(new[] { file }));
         }
 
