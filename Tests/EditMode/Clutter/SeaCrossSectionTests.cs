@@ -136,14 +136,19 @@ namespace Glint.Tests
             return sum;
         }
 
+        static SeaClutter AtLevel(TestSea sea, ClutterLevel level)
+        {
+            var settings = SeaClutterSettings.On;
+            settings.Level = level;
+            return new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings);
+        }
+
         // A tile without neighbours, which would shade 5 % of it.
         [Test]
         public void Trace_AtTheLevelOfATable_HasItsMean()
         {
             var sea = new TestSea(8, 64, 64, 0);
-            var settings = SeaClutterSettings.On;
-            settings.Level = ClutterLevel.Nathanson;
-            var clutter = new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings);
+            var clutter = AtLevel(sea, ClutterLevel.Nathanson);
             var found = Tracer.Trace(sea.Pose(30, 10, clutter)).Clutter[0].Sigma0;
             var at = clutter.ConditionsAt(10e9, 30, 10);
             var table = ClutterModel.Of(ClutterLevel.Nathanson);
@@ -156,9 +161,7 @@ namespace Glint.Tests
         public void Trace_OutsideTheAnglesOfTheLevel_IsRefused()
         {
             var sea = new TestSea(8, 64, 64, 0);
-            var settings = SeaClutterSettings.On;
-            settings.Level = ClutterLevel.Git;
-            var clutter = new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings);
+            var clutter = AtLevel(sea, ClutterLevel.Git);
             const string message = "clutter model git: the grazing angle 12 deg must be from 0.1 to 10 deg";
             Assert.That(() => Tracer.Trace(sea.Pose(30, 12, clutter)),
                 Throws.TypeOf<GlintException>().With.Message.StartsWith(message));

@@ -371,11 +371,7 @@ namespace Glint.Core
             Close();
             var columns = _table.ColumnsOf(_rows);
             if (columns.Count != _table.ColumnsOf(_rows.Take(1)).Count)
-                FileDraft.Write(CsvPath, file =>
-                {
-                    var csv = BytesOf(text => WriteCsv(text, columns, _rows));
-                    file.Write(csv, 0, csv.Length);
-                });
+                FileDraft.Write(CsvPath, file => WriteTo(file, text => WriteCsv(text, columns, _rows)));
         }
 
         void WriteArrayHeader()

@@ -307,15 +307,7 @@ namespace Glint
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder)
                 ? RunDescription.DefaultFolder(SceneName, ResultTable.CrossSection)
                 : RunDescription.InProject(_outputFolder), ResultTable.CrossSection);
-            try
-            {
-                _run = new CrossSectionRun(setup, _kernel, folder);
-            }
-            catch
-            {
-                folder.Dispose();
-                throw;
-            }
+            _run = new CrossSectionRun(setup, _kernel, folder);
             foreach (string warning in setup.Warnings(Subject))
                 Debug.LogWarning(warning, this);
             (RunPlan, ResultsPath) = (setup.Plan, folder.FolderPath);

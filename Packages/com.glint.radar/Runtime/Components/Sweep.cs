@@ -160,19 +160,11 @@ namespace Glint
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder)
                 ? RunDescription.DefaultFolder(scene)
                 : RunDescription.InProject(_outputFolder));
-            try
+            _run = new SweepRun(
+                new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder)
             {
-                _run = new SweepRun(
-                    new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder)
-                {
-                    PosesAhead = 1
-                };
-            }
-            catch
-            {
-                folder.Dispose();
-                throw;
-            }
+                PosesAhead = 1
+            };
             (Poses, ResultsPath) = (plan.Count, folder.FolderPath);
             _progress.Start(scene, plan.Count);
         }

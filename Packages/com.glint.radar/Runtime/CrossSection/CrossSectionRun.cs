@@ -36,7 +36,9 @@ namespace Glint
         /// <summary>Begins or resumes a run; nothing is traced before the first <see cref="Step"/>.</summary>
         /// <param name="setup">Must not change while the run lasts.</param>
         /// <param name="shader">Shaders/Tubes.compute.</param>
-        /// <param name="folder">Receives the rows; null: nothing is written.</param>
+        /// <param name="folder">
+        /// Receives the rows, and is released with the run, also if it is refused; null: nothing is written.
+        /// </param>
         /// <param name="shard">The part of the rows to compute; null: all.</param>
         /// <param name="resume">Resumes the same run in the folder.</param>
         /// <param name="posesTogether">
@@ -50,26 +52,34 @@ namespace Glint
             SweepShard? shard = null, bool resume = false, int posesTogether = 1)
         {
             (_setup, _folder) = (setup, folder);
-            string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
-            var ahead = setup.TakeAhead();
-            setup.Validate(subject);
-            int rows = setup.Plan.Count;
-            First = shard?.First(rows) ?? 0;
-            Count = (shard?.End(rows) ?? rows) - First;
-            _groups = new FrequencyGroups(setup.Plan.Frequencies, setup.UsedMaterials(), setup.MaxCoefficientError);
-            _looks = setup.Looks;
-            if (_looks.Looks > 1)
-                _turningScene = setup.Scene.MovingBy(LookGroups.TurnAbout(setup.PhaseCentre));
-            if (folder != null)
+            try
             {
-                _identity = CrossSectionDescription.IdentityOf(setup);
-                _identity.Shard = shard;
-                folder.Begin(_identity, _startedUtc);
-                if (resume)
-                    Done = folder.Resume(Count);
+                string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
+                var ahead = setup.TakeAhead();
+                setup.Validate(subject);
+                int rows = setup.Plan.Count;
+                First = shard?.First(rows) ?? 0;
+                Count = (shard?.End(rows) ?? rows) - First;
+                _groups = new FrequencyGroups(setup.Plan.Frequencies, setup.UsedMaterials(), setup.MaxCoefficientError);
+                _looks = setup.Looks;
+                if (_looks.Looks > 1)
+                    _turningScene = setup.Scene.MovingBy(LookGroups.TurnAbout(setup.PhaseCentre));
+                if (folder != null)
+                {
+                    _identity = CrossSectionDescription.IdentityOf(setup);
+                    _identity.Shard = shard;
+                    folder.Begin(_identity, _startedUtc);
+                    if (resume)
+                        Done = folder.Resume(Count);
+                }
+                _tracer = new CrossSectionTracer(shader, subject);
+                _tracer.Expect(ahead);
             }
-            _tracer = new CrossSectionTracer(shader, subject);
-            _tracer.Expect(ahead);
+            catch
+            {
+                _folder?.Dispose();
+                throw;
+            }
             _posesTogether = posesTogether;
         }
 

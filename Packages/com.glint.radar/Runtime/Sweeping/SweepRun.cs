@@ -25,7 +25,9 @@ namespace Glint
         /// Begins or resumes a sweep; nothing is traced before the first <see cref="Step"/>.
         /// </summary>
         /// <param name="setup">Must not change while the sweep runs.</param>
-        /// <param name="folder">Receives the rows; null: nothing is written.</param>
+        /// <param name="folder">
+        /// Receives the rows, and is released with the run, also if it is refused; null: nothing is written.
+        /// </param>
         /// <param name="shard">The part to trace; null: all of it.</param>
         /// <param name="resume">Resumes the same sweep in the folder.</param>
         /// <exception cref="GlintException">
@@ -39,18 +41,19 @@ namespace Glint
             int poses = setup.Plan.Count;
             _first = shard?.First(poses) ?? 0;
             Count = (shard?.End(poses) ?? poses) - _first;
-            _motions = new AxisDrivers(setup);
-            if (setup.Plan == SweepPlan.Single)
-                return;
             try
             {
+                _motions = new AxisDrivers(setup);
+                if (setup.Plan == SweepPlan.Single)
+                    return;
                 Rehearse();
                 if (folder != null)
                     Begin(RunDescription.IdentityOf(setup), shard, resume);
             }
             catch
             {
-                _motions.Dispose();
+                _folder?.Dispose();
+                _motions?.Dispose();
                 throw;
             }
         }
