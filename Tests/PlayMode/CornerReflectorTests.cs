@@ -147,6 +147,6 @@ namespace Glint.Tests
         }
 
         // Largest bin over the mean bin.
-        static double Spread(IReadOnlyList<int> histogram) => histogram.Max() / histogram.Average();
+        static double Spread(IReadOnlyList<long> histogram) => histogram.Max() / histogram.Average();
     }
 }

@@ -86,7 +86,7 @@ namespace Glint.Tests
         {
             AddRadar("Radar");
             _sweep.Snapshots = "1:3";
-            Assert.That(Findings().Single(), Does.Contain("has no sea"));
+            Assert.That(Findings().Single(), Does.Contain("has no Sea component"));
             new GameObject("Sea").AddComponent<Sea>();
             Assert.That(Findings().Single(), Does.Contain("Sea of 'Sea' has no snapshots"));
         }

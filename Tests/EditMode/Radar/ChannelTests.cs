@@ -2,6 +2,7 @@ using System.Numerics;
 using Glint.Core;
 using NUnit.Framework;
 using UnityEngine;
+using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
@@ -48,6 +49,18 @@ namespace Glint.Tests
             Assert.That(slots[Channel.Overflow.Word] >> 31, Is.EqualTo(1), "the wide channel's bit");
             var problem = Assert.Throws<GlintException>(() => Channel.CheckOverflow(slots, "Radar"));
             Assert.That(problem.Message, Does.StartWith("Radar: ").And.Contain("'in_phase'"));
+        }
+
+        [Test]
+        public void Sums_BinOfMoreRaysThan32Bits_IsExact()
+        {
+            var (settings, view) = (TestRadar.Settings(16, 9), TestRadar.LookAt(double3(9, 10, 11), 0));
+            var sums = new ChannelSums(new RayGrid(settings, view, -1, 1));
+            var slice = new uint[WorkCounts.First];
+            slice[Channel.Histogram.Word] = 3000000000;
+            sums.Add(slice);
+            sums.Add(slice);
+            Assert.That(sums.ToSums(settings, view).PhaseHistogram[0], Is.EqualTo(6000000000));
         }
 
         // Two's complement.

@@ -32,7 +32,7 @@ namespace Glint.Tests
             double tolerance =
                 0.005 * expected.RaysReceived + System.Math.Abs(result.RaysReceived - expected.RaysReceived);
             Assert.That(result.InPhase, Is.EqualTo(expected.InPhase).Within(tolerance));
-            int inOtherBins = result.PhaseHistogram.Zip(expected.PhaseHistogram,
+            long inOtherBins = result.PhaseHistogram.Zip(expected.PhaseHistogram,
                 (ours, theirs) => System.Math.Abs(ours - theirs)).Sum() / 2;
             Assert.That(inOtherBins, Is.LessThanOrEqualTo(expected.RaysReceived / 50), "rays in another bin of 10 deg");
             Assert.That(result.Quadrature, Is.EqualTo(expected.Quadrature).Within(tolerance));

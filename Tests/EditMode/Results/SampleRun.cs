@@ -6,7 +6,7 @@ namespace Glint.Tests
     /// <summary>Rows and a run with values that are easy to distinguish in a file.</summary>
     static class SampleRun
     {
-        public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4, int[] histogram = null) =>
+        public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4, long[] histogram = null) =>
             new SweepRow(new SweepPose(angle), new RadarResult(new RadarSums
             {
                 InPhase = inPhase,
@@ -18,13 +18,13 @@ namespace Glint.Tests
                 Bounces = 1200,
                 PathLengthMeters = 41.25,
                 RayArea = 0.0625,
-                PhaseHistogram = histogram ?? new int[Signal.PhaseBins]
+                PhaseHistogram = histogram ?? new long[Signal.PhaseBins]
             }, new SamplingReport(0.25, 0.125, true), null, new TraceStatistics
             {
                 Timings = new Timings { GatherMs = 1, BuildMs = 2, UploadMs = 4, TraceMs = 8.5, ReadBackMs = 0.5 }
             }));
 
-        public static SweepRow Miss(double angle, int[] histogram = null) => new SweepRow(new SweepPose(angle),
+        public static SweepRow Miss(double angle, long[] histogram = null) => new SweepRow(new SweepPose(angle),
             new RadarResult(new RadarSums { RaysEmitted = 100, PhaseHistogram = histogram },
                 new SamplingReport(0, 0, false)));
 

@@ -20,7 +20,9 @@ namespace Glint.Tests
 
         public static SweepRow Row(int pose)
         {
-            var histogram = pose % 3 == 0 ? Enumerable.Range(pose, Signal.PhaseBins).ToArray() : null;
+            // Bins of more rays than 32 bits hold.
+            var histogram = pose % 3 == 0
+                ? Enumerable.Range(pose, Signal.PhaseBins).Select(bin => (long)bin << 28).ToArray() : null;
             return pose % 3 == 2 ? SampleRun.Miss(pose) : SampleRun.Row(pose, 3 + pose / 7.0, -4, histogram);
         }
 

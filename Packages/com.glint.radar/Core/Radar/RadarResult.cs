@@ -23,7 +23,7 @@ namespace Glint.Core
             (RaysOfPicture, RaysEmitted) = (sums.RaysOfPicture, sums.RaysEmitted);
             (RaysHit, RaysReceived, Bounces) = (sums.RaysHit, sums.RaysReceived, sums.Bounces);
             (PathLengthMeters, RayArea) = (sums.PathLengthMeters, sums.RayArea);
-            PhaseHistogram = (int[])sums.PhaseHistogram?.Clone();
+            PhaseHistogram = (long[])sums.PhaseHistogram?.Clone();
             Sampling = sampling;
             Rays = rays ?? Array.Empty<RayData>();
             Statistics = statistics ?? new TraceStatistics();
@@ -57,7 +57,7 @@ namespace Glint.Core
         public double? RayArea { get; }
 
         /// <inheritdoc cref="RadarSums.PhaseHistogram"/>
-        public IReadOnlyList<int> PhaseHistogram { get; }
+        public IReadOnlyList<long> PhaseHistogram { get; }
 
         /// <summary>
         /// The sampling error and its signs; null when it was not estimated

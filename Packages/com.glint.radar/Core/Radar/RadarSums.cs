@@ -30,7 +30,7 @@ namespace Glint.Core
         public double? RayArea;
 
         /// <summary>Received rays by phase, <see cref="Signal.PhaseBins"/> equal bins from 0 to 2 pi.</summary>
-        public int[] PhaseHistogram = new int[Signal.PhaseBins];
+        public long[] PhaseHistogram = new long[Signal.PhaseBins];
 
         /// <summary>Adds one received ray to the coherent sum and to the histogram.</summary>
         public void AddReceived(double phase, double inPhase, double quadrature)
@@ -47,7 +47,7 @@ namespace Glint.Core
     {
         // 2^32 rays with the largest parts take 62 bits.
         readonly long[] _totals = new long[Channel.All.Count];
-        readonly int[] _histogram = new int[Signal.PhaseBins];
+        readonly long[] _histogram = new long[Signal.PhaseBins];
         readonly double _startDepth;
 
         /// <summary>Sums of 0.</summary>
@@ -80,7 +80,7 @@ namespace Glint.Core
                     _totals[channel.Number] += channel.SumOf(words, slot);
             for (int slot = 0; slot < Channel.Slots; slot++)
                 for (int bin = 0; bin < Signal.PhaseBins; bin++)
-                    _histogram[bin] += (int)words[slot * Channel.WordsPerSlot + Channel.Histogram.Word + bin];
+                    _histogram[bin] += words[slot * Channel.WordsPerSlot + Channel.Histogram.Word + bin];
         }
 
         /// <summary>A channel's sum in units.</summary>

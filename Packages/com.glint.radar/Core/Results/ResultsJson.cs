@@ -240,10 +240,10 @@ namespace Glint.Core
             _json.WriteEndObject();
         }
 
-        void WriteHistogram(IReadOnlyList<int> bins)
+        void WriteHistogram(IReadOnlyList<long> bins)
         {
             Open("phase_histogram", array: true);
-            foreach (int bin in bins)
+            foreach (long bin in bins)
                 _json.WriteValue(bin);
             _json.WriteEndArray();
         }

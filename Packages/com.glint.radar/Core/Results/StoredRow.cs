@@ -107,7 +107,7 @@ namespace Glint.Core
         public Timings Timings { get; }
 
         /// <summary>Received rays by phase; null when the row has none.</summary>
-        public IReadOnlyList<int> PhaseHistogram { get; }
+        public IReadOnlyList<long> PhaseHistogram { get; }
 
         /// <summary>Contributions to a cross section; null when the row has none.</summary>
         public CrossSectionContributions Contributions { get; }
@@ -167,12 +167,12 @@ namespace Glint.Core
             }
         }
 
-        static int[] Histogram(JToken bins)
+        static long[] Histogram(JToken bins)
         {
             if (bins == null || bins.Type == JTokenType.Null)
                 return null;
             return bins is JArray list
-                ? list.Select(bin => bin.Value<int>()).ToArray()
+                ? list.Select(bin => bin.Value<long>()).ToArray()
                 : throw new FormatException("phase_histogram of a row is no list");
         }
 

@@ -87,7 +87,7 @@ namespace Glint.Core
             if (!File.Exists(path))
                 throw new GlintException(ResultTable.All.Any(table => File.Exists(Path.Combine(folder, table.CsvName)))
                     ? $"{folder}: has no {ResultsFolder.JsonName}: the sweep was not finished, "
-                        + "or is still running; let it end"
+                        + "or is still running: let it end, or start it again"
                     : $"{folder}: holds no results: "
                         + $"give the folder that a sweep or run wrote {ResultsFolder.JsonName} to");
             return ReadFile(path);

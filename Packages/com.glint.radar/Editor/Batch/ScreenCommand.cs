@@ -97,7 +97,7 @@ namespace Glint.Editor
                 progress.Finish();
             }
             progress.Print(FormattableString.Invariant(
-                $"{turns} turns in {watch.Elapsed.TotalSeconds:0.0} s, {frames} frames; main thread {play.MedianMilliseconds:0.000} ms a frame for the radar (median)"));
+                $"{turns} {(turns == 1 ? "turn" : "turns")} in {watch.Elapsed.TotalSeconds:0.0} s, {frames} frames; main thread {play.MedianMilliseconds:0.000} ms a frame for the radar (median)"));
             return Batch.Done;
         }
 

@@ -19,12 +19,12 @@ namespace Glint.Editor
                 throw new GlintException($"{file}: is not "
                     + $"there{(name == ResultsFolder.JsonName ? ": it is written when the sweep is complete" : ": trace a sweep first")}");
             if (Path.GetFullPath(file) != Path.GetFullPath(path))
-                Write(path, () => File.Copy(file, path, true));
+                Write(path, () => File.ReadAllBytes(file));
         }
 
         /// <summary>Writes the bytes of a picture.</summary>
         /// <exception cref="GlintException">They cannot be written.</exception>
-        public static void Picture(byte[] png, string path) => Write(path, () => File.WriteAllBytes(path, png));
+        public static void Picture(byte[] png, string path) => Write(path, () => png);
 
         /// <summary>
         /// Writes the HTML report, with the pose in 3-D if the open scene is that of the results; no scene is opened or
@@ -54,11 +54,13 @@ namespace Glint.Editor
                 hasSnapshots ? SceneSearch.FindSea(run.Info.ScenePath) : null);
         }
 
-        static void Write(string path, Action write)
+        // The content is read first: the path may be a link to the file that it is read from.
+        static void Write(string path, Func<byte[]> read)
         {
             try
             {
-                write();
+                var content = read();
+                FileDraft.Write(path, file => file.Write(content, 0, content.Length));
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException
                 || error is ArgumentException || error is NotSupportedException)

@@ -18,7 +18,7 @@ namespace Glint
         /// <param name="searcher">Name of the caller, for the message.</param>
         /// <exception cref="GlintException">There is none, or more than one.</exception>
         public static Sea FindSea(string searcher) =>
-            FindOnly<Sea>(searcher, "sea", "Sea (Glint > Sea) with snapshots to an object of the scene");
+            FindOnly<Sea>(searcher, "Sea component", "Sea (Glint > Sea) with snapshots to an object of the scene");
 
         /// <summary>All enabled components of a kind in the loaded scenes.</summary>
         public static T[] FindEnabled<T>() where T : Behaviour =>

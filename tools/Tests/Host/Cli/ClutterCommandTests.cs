@@ -240,7 +240,7 @@ public sealed class ClutterCommandTests
         Assert.That(Directory.Exists(At("out")), Is.False);
     }
 
-    [TestCase(1, "CornerReflector.unity: has no sea", "Scenes/CornerReflector.unity")]
+    [TestCase(1, "CornerReflector.unity: has no Sea component", "Scenes/CornerReflector.unity")]
     [TestCase(2, "x.obj: clutter does not take such a file: give a scene (.unity)", "x.obj")]
     public void Scene_WithoutASea_IsRefused(int code, string message, string input)
     {

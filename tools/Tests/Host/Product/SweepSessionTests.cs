@@ -330,7 +330,7 @@ public sealed class SweepSessionTests
         Assert.That(_form.Problem(), Is.Null, "nothing is turned");
         _form[SweepAxis.Snapshot] = "1:3";
         Assert.That(() => SweepSession.Sweep(_form),
-            Throws.TypeOf<GlintException>().With.Message.Contains("has no sea"));
+            Throws.TypeOf<GlintException>().With.Message.Contains("has no Sea component"));
         _form.Radar.enabled = false;
         Assert.That(_form.Problem(), Does.Contain("is disabled"));
         _form.Radar = null;

@@ -57,6 +57,10 @@ public sealed class WindowExportTests
         Assert.DoesNotThrow(
             () => Export.Copy(_form.FolderPath, ResultsFolder.CsvName, Path.Combine(_form.FolderPath, "results.csv")),
             "onto itself");
+        string link = Path.Combine(_folder, "link.csv");
+        File.CreateSymbolicLink(link, Path.Combine(_form.FolderPath, "results.csv"));
+        Export.Copy(_form.FolderPath, ResultsFolder.CsvName, link);
+        Assert.That(File.ReadAllBytes(link), Is.EqualTo(File.ReadAllBytes(copy)), "onto itself, by a link");
         Assert.That(
             () => Export.Copy(_form.FolderPath, ResultsFolder.CsvName, Path.Combine(_folder, "none", "copy.csv")),
             Throws.TypeOf<GlintException>().With.Message.Contains("cannot be written"));
