@@ -24,11 +24,6 @@ float _SeaFraction;                        // and the rest
 
 groupshared float2 s_sums[SEA_SIDE];       // complex
 
-float2 MulComplex(float2 a, float2 b)
-{
-    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-}
-
 // The transform takes its elements in the order of reversed bits.
 uint Reversed(uint index)
 {
@@ -42,7 +37,7 @@ void Transform(uint thread)
     {
         GroupMemoryBarrierWithGroupSync();
         uint within = thread & (stride - 1), low = 2 * thread - within, high = low + stride;
-        float2 turned = MulComplex(s_sums[high], Phasor(0.5 * within / stride));
+        float2 turned = ComplexMul(s_sums[high], Phasor(0.5 * within / stride));
         s_sums[high] = s_sums[low] - turned;
         s_sums[low] += turned;
     }
@@ -76,11 +71,11 @@ void LoadWave(uint cascade, int2 k, uint at)
     // 24 bits of a turn are exact in float32.
     float turns = ((wave.Turns * _SeaSeconds) >> 8) / 16777216.0 + wave.Frequency * _SeaFraction;
     float2 turn = Phasor(turns - floor(turns));
-    float2 height = MulComplex(wave.Amplitude, float2(turn.x, -turn.y));
+    float2 height = ComplexMul(wave.Amplitude, float2(turn.x, -turn.y));
     if (isOpposite)
         height.y = -height.y;
     float frequency = TWO_PI * wave.Frequency;
-    s_sums[at] = MulComplex(height, float2(1.0, -frequency * frequency));
+    s_sums[at] = ComplexMul(height, float2(1.0, -frequency * frequency));
 }
 
 int SignedOf(uint index)

@@ -24,4 +24,10 @@ float2 PhasorOf(float angle)
     return Phasor(turns - floor(turns));
 }
 
+// Product of two complex numbers.
+float2 ComplexMul(float2 a, float2 b)
+{
+    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
 #endif

@@ -383,9 +383,4 @@ uint Mixed(uint hash, uint value)
     return (mixed ^ (mixed >> 13)) * 2246822519u;
 }
 
-float2 ComplexMul(float2 a, float2 b)
-{
-    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-}
-
 #endif

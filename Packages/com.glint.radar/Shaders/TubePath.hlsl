@@ -4,6 +4,7 @@
 #include "CurvedFacet.hlsl"
 #include "Path.hlsl"
 #include "Identity.hlsl"
+#include "Trigonometry.hlsl"
 
 // A ray with its differentials by the coordinates u, v of the grid (Igehy 1999), and the field that it carries.
 

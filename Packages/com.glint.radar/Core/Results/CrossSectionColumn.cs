@@ -46,6 +46,16 @@ namespace Glint.Core
         public static readonly ResultColumn OutsidePhysicalOptics =
             Flag("outside_physical_optics", "Outside physical optics", row => row.IsOutsidePhysicalOptics);
 
+        /// <summary>Share of the area whose facets are too coarse for a curved surface.</summary>
+        public static readonly ResultColumn CoarseShare =
+            Of("coarse_area_share", "Share of the area with coarse facets", "1", row => row.CoarseShare);
+
+        /// <summary>Tubes of the trace that the row is from.</summary>
+        public static readonly ResultColumn Tubes = Of("tubes", "Tubes", "1", row => row.Tubes);
+
+        /// <summary>Rays of the trace that the row is from.</summary>
+        public static readonly ResultColumn Rays = Of("rays", "Rays", "1", row => row.Rays);
+
         /// <summary>Time of a pulse after the first; only with pulses.</summary>
         public static readonly ResultColumn Time = Optional(Of("time_s", "Time", "s", row => row.Planned.Time));
 
@@ -69,8 +79,7 @@ namespace Glint.Core
                 .Concat(new[]
                 {
                     ErrorDb, Error, ToleranceMet, OutsidePhysicalOptics,
-                    Of("coarse_area_share", "Share of the area with coarse facets", "1", row => row.CoarseShare),
-                    Of("tubes", "Tubes", "1", row => row.Tubes), Of("rays", "Rays", "1", row => row.Rays), Time
+                    CoarseShare, Tubes, Rays, Time
                 }).Concat(s_ofLastVersion).ToArray());
 
         /// <summary>Those of responses over a band, whose arrays have a place for each: all but the last two.</summary>

@@ -99,7 +99,7 @@ namespace Glint.Editor
         /// <param name="parent">May be null.</param>
         public static Ship MakeShip(GameObject parent)
         {
-            var ship = new GameObject("Ship", typeof(MeshFilter), typeof(MeshRenderer)).AddComponent<Ship>();
+            var ship = new GameObject("Ship").AddComponent<Ship>();
             ProjectAssets.Show(ship.gameObject, ShipFigures.Make(ship.Settings));
             AddToScene(ship.gameObject, parent);
             PutAtSeaLevel(ship.transform);

@@ -160,8 +160,10 @@ namespace Glint.Editor
                 json[$"{polarisation}_im_m"] = profile[cell].Imaginary;
                 json[RangeColumn(polarisation)] = _echo.Range.RangeOf(cell);
             }
+            // Of all frequencies and pulses, which may be of several traces.
             foreach (var column in new[] { CrossSectionColumn.Error, CrossSectionColumn.ErrorDb,
-                CrossSectionColumn.OutsidePhysicalOptics })
+                CrossSectionColumn.OutsidePhysicalOptics, CrossSectionColumn.CoarseShare, CrossSectionColumn.Tubes,
+                CrossSectionColumn.Rays })
                 json[column.Name] = rows.Max(row => row[column].Value);
             json[CrossSectionColumn.ToleranceMet.Name] =
                 rows.Min(row => row[CrossSectionColumn.ToleranceMet].Value);

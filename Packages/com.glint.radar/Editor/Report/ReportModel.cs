@@ -13,7 +13,10 @@ namespace Glint.Editor
         /// <summary>Maximum number of triangles drawn; larger scenes are simplified.</summary>
         public const int MaxTriangles = 60000;
 
-        /// <summary>Maximum number of objects drawn.</summary>
+        /// <summary>
+        /// Maximum number of objects drawn: of more, each mesh once before others are repeated, as the tiles of a sea,
+        /// and those of many triangles first.
+        /// </summary>
         public const int MaxInstances = 2000;
 
         readonly RadarScene _scene;
@@ -25,7 +28,11 @@ namespace Glint.Editor
         public ReportModel(RadarScene scene, double3 emptyCentre)
         {
             _scene = scene;
-            _drawn = scene.Instances.Where(instance => instance.Mesh.TriangleCount > 0).Take(MaxInstances).ToArray();
+            _drawn = scene.Instances.Where(instance => instance.Mesh.TriangleCount > 0)
+                .GroupBy(instance => instance.Mesh)
+                .SelectMany(uses => uses.Select((instance, repetition) => (instance, repetition)))
+                .OrderBy(each => each.repetition).ThenByDescending(each => each.instance.Mesh.TriangleCount)
+                .Select(each => each.instance).Take(MaxInstances).ToArray();
             _sketches = SimplifiedMeshes(_drawn);
             Centre = _drawn.Length == 0 ? emptyCentre : CentreOf(_drawn, _sketches);
         }

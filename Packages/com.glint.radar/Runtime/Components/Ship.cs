@@ -7,6 +7,7 @@ namespace Glint
     [AddComponentMenu("")]
     [HelpPage("sea.md")]
     [DisallowMultipleComponent]
+    [RequireComponent(typeof(MeshFilter), typeof(MeshRenderer))]
     public sealed class Ship : MonoBehaviour
     {
         [SerializeField, Tooltip("Measures of the ship. Changes take effect when the mesh is rebuilt, "

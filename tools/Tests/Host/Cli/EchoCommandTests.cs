@@ -7,6 +7,7 @@ using System.IO.Compression;
 using System.Linq;
 using System.Numerics;
 using System.Text;
+using Glint.Core;
 using Glint.Editor;
 using Glint.Tests;
 using Newtonsoft.Json.Linq;
@@ -166,6 +167,21 @@ public sealed class EchoCommandTests : EchoFixture
         (code, _, error) = TestShell.Run("report", At("echo"), "--pose", "4");
         Assert.That((code, error), Is.EqualTo((1, $"glint: --pose 4: must be from 1 to 3, the rows of {At("echo")}, "
             + "or none" + Environment.NewLine)));
+    }
+
+    /// <summary>A band of two thirds of its centre takes several traces.</summary>
+    [Test]
+    public void Report_OfSeveralTracesADirection_HasTheMostTubesAndRays()
+    {
+        Run(At("plate.obj"), "--bandwidth", "6e9", "--polarisation", "vv", "--tolerance", "0.2", "--out", At("echo"));
+        Assert.That(TestShell.Run("report", At("echo")).code, Is.Zero);
+        var rows = StoredRun.ReadAny(At("echo")).Rows;
+        foreach (var column in new[] { CrossSectionColumn.Tubes, CrossSectionColumn.Rays })
+        {
+            Assert.That(rows.Select(row => row[column]).Distinct().Count(), Is.GreaterThan(1));
+            Assert.That((double)DataOf("echo/report.html")["run"]["rows"][0][column.Name],
+                Is.EqualTo(rows.Max(row => row[column])));
+        }
     }
 
     /// <summary>

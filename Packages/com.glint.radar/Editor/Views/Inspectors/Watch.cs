@@ -13,11 +13,15 @@ namespace Glint.Editor.Views
     {
         const long StillForMs = 300;
 
+        // A scene may change each frame, as a sea does in play mode.
+        const double MaxSecondsPostponed = 1;
+
         // Pause between updates, in durations of an update.
         const double PauseInLooks = 5;
 
         readonly IVisualElementScheduledItem _look;
         readonly Func<double> _seconds;
+        double? _changed; // when the first change came that no callback has followed
 
         /// <param name="inspector">Watches while this is shown.</param>
         /// <param name="look">The callback.</param>
@@ -25,7 +29,11 @@ namespace Glint.Editor.Views
         public Watch(VisualElement inspector, SerializedObject inspected, Action look, Func<double> seconds = null)
         {
             _seconds = seconds;
-            _look = inspector.schedule.Execute(look);
+            _look = inspector.schedule.Execute(() =>
+            {
+                _changed = null;
+                look();
+            });
             inspector.TrackSerializedObjectValue(inspected, _ => LookSoon());
             inspector.RegisterCallback<AttachToPanelEvent>(_ =>
             {
@@ -35,9 +43,14 @@ namespace Glint.Editor.Views
             inspector.RegisterCallback<DetachFromPanelEvent>(_ => ObjectChangeEvents.changesPublished -= Hear);
         }
 
-        /// <summary>Schedules an update; a further change postpones it.</summary>
-        public void LookSoon() =>
-            _look.ExecuteLater(Math.Max(StillForMs, (long)(1000 * PauseInLooks * (_seconds?.Invoke() ?? 0))));
+        /// <summary>Schedules an update; further changes postpone it, by a second at most.</summary>
+        public void LookSoon()
+        {
+            double now = EditorApplication.timeSinceStartup;
+            _changed ??= now;
+            if (now - _changed <= MaxSecondsPostponed)
+                _look.ExecuteLater(Math.Max(StillForMs, (long)(1000 * PauseInLooks * (_seconds?.Invoke() ?? 0))));
+        }
 
         void Hear(ref ObjectChangeEventStream changes) => LookSoon();
     }

@@ -142,20 +142,36 @@ namespace Glint.Editor.Views
         {
             _compared = "";
             _comparison = null;
-            foreach (var table in PublishedTable.All)
-                if (table.Name == with)
-                    _comparison = Comparison.With(table);
-            if (_comparison == null && with.Length > 0)
-                _comparison = Comparison.With(with);
-            _compared = with;
-            Draw();
+            try
+            {
+                foreach (var table in PublishedTable.All)
+                    if (table.Name == with)
+                        _comparison = Comparison.With(table);
+                if (_comparison == null && with.Length > 0)
+                    _comparison = Comparison.With(with);
+                _compared = with;
+            }
+            finally
+            {
+                Draw();
+            }
         });
 
         void Look() => Attempt(() =>
         {
             if (_form.Radar == null)
                 throw new GlintException("choose a radar first");
-            _results.Preview.Show(RadarPreview.Of(_form.Radar));
+            try
+            {
+                using (var bar = new CancelBar($"The view of '{_form.Radar.name}'"))
+                    _results.Preview.Show(RadarPreview.Of(_form.Radar, bar.Cancel));
+            }
+            finally
+            {
+                // A sweep, and the scene in play mode, keep its buffers.
+                if (_session?.IsRunning != true && !Application.isPlaying)
+                    _form.Radar.Release();
+            }
         });
 
         void SavePreview()
@@ -169,18 +185,27 @@ namespace Glint.Editor.Views
             Save("", "view.png", path => Export.Picture(png, path));
         }
 
-        void SaveFile(string name) => Save("", name, path => Export.Copy(_shown, name, path));
+        void SaveFile(string name) => Attempt(() =>
+        {
+            string shown = RequireShown();
+            Save("", name, path => Export.Copy(shown, name, path));
+        });
 
         void SaveReport() => Attempt(() =>
         {
             if (_session?.IsRunning == true)
                 throw new GlintException("the sweep is running: export its report when it is done, or cancel it");
-            Save(_shown, ReportFile.Name, path =>
+            string shown = RequireShown();
+            Save(shown, ReportFile.Name, path =>
             {
                 using (var progress = new CancelBar("Report"))
-                    Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
+                    Export.Report(shown, _choice.Row(_rows), _form, path, progress);
             });
         });
+
+        // A pose that is traced alone has no folder.
+        string RequireShown() => _shown.Length > 0 ? _shown
+            : throw new GlintException("no sweep is shown whose files could be exported: sweep first");
 
         // To where the user says, if anywhere.
         void Save(string folder, string name, Action<string> write) => Attempt(() =>
