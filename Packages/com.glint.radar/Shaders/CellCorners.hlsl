@@ -60,7 +60,7 @@ CellCorners LoadCorners(inout Cell cell)
         corners.AreSame = corners.AreSame && cell.Signatures[i] == cell.Signatures[0];
     }
     corners.Common = CommonBounces(corners);
-    cell.Traits = any(corners.Bounces > 1) ? DEEP_CELL : 0;
+    cell.Traits = (cell.Traits & EDGE_CELL) | (any(corners.Bounces > 1) ? DEEP_CELL : 0);
     return corners;
 }
 
@@ -89,7 +89,7 @@ uint4 SignaturesOf(Cell cell)
 struct CurrentsLeft
 {
     float Strength;        // weighted
-    float Thinned;         // the same times Thinning
+    float Thinned;         // the same times ThinningIn
     float Bent;            // Strength times the error by bent phases
     float Unweighted;      // strength alone
     float2 Missed;         // thinned, not weighted: of all currents, of the cross-polarised ones
@@ -103,7 +103,7 @@ CurrentsLeft LeftAt(CellCorners corners, Cell cell)
         for (uint bounce = cell.FirstBounce; bounce < corners.Bounces[i]; bounce++)
         {
             Corner corner = _Corners[corners.Elements[i] + bounce];
-            float crossPart = CrossPartOf(corner), thinning = Thinning(f16tof32(corner.Changes), side),
+            float crossPart = CrossPartOf(corner), thinning = ThinningIn(cell, f16tof32(corner.Changes), side),
                 bent = BentPieceError(side * side * f16tof32(corner.Changes >> 16)),
                 strength = corner.Strength * WeightOf(crossPart);
             most.Strength = max(most.Strength, strength);

@@ -149,12 +149,6 @@ float3 RateTo(Receiver receiver, TubePath tube, SurfacePoint at)
         e - tube.Path.Ray.Direction, turnU, turnV);
 }
 
-// Factor by which a phase gradient, m a base cell, makes the integral over part of a square of a side less than its area.
-float Thinning(float gradient, float side)
-{
-    return min(1.0, 3.0 / max(_WaveNumber * gradient * side, 1.0e-6));
-}
-
 // In m2 a base cell: smaller currents may be rounded to 0.
 static const float MIN_CURRENTS = 1.0e-30;
 
@@ -219,6 +213,17 @@ float SteepnessAt(TubePath tube, uint receivers)
     for (uint index = 0; index < _ReceiverCount; index++)
         if ((receivers >> index & 1) != 0)
             least = min(least, length(PhaseSlope(tube, ReceiverFrom(index, tube.Path.Ray.Origin))));
+    return least;
+}
+
+// The same along a direction of the grid.
+float SlopeAlong(TubePath tube, uint receivers, float2 along)
+{
+    float least = MISS;
+    [loop]
+    for (uint index = 0; index < _ReceiverCount; index++)
+        if ((receivers >> index & 1) != 0)
+            least = min(least, abs(dot(along, PhaseSlope(tube, ReceiverFrom(index, tube.Path.Ray.Origin)))));
     return least;
 }
 

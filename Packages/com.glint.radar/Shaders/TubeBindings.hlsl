@@ -122,6 +122,7 @@ float2 MagnitudesOf(Tube tube)
 static const uint DEEP_CELL = 1;           // bits of Cell.Traits
 static const uint BENT_CELL = 2;
 static const uint KINKED_CELL = 4;
+static const uint EDGE_CELL = 8;
 
 // A cell of the grid.
 struct Cell
@@ -131,19 +132,25 @@ struct Cell
     uint FirstBounce;     // bounces before it are summed already
     uint4 Signatures;     // of the rays through its corners, in order around it
     float Strength;       // of what is left to sum: largest weighted p.C, m2 a base cell
-    float Thinned;        // the same times Thinning
+    float Thinned;        // the same times ThinningIn
     uint2 Crossings;      // of the border with two sides: see BorderOf
     uint Pose;            // of this dispatch
     uint Number;          // in its round
     uint Whole;           // number in the round before of the cell that it is a part of
     uint Traits;          // DEEP_CELL: a ray through a corner of it, or of the cell that it is a part of, bounces more than
                           // once; BENT_CELL: bent phases make the error of a piece too large; KINKED_CELL: the rays through its
-                          // corners met the same patches, but several facets: its signatures tell facets apart
+                          // corners met the same patches, but several facets: its signatures tell facets apart; EDGE_CELL:
+                          // the phase is slow along an outline through it, or through the cell that it is a part of
 };
 
 bool IsDeep(Cell cell)
 {
     return (cell.Traits & DEEP_CELL) != 0;
+}
+
+bool IsAlongEdge(Cell cell)
+{
+    return (cell.Traits & EDGE_CELL) != 0;
 }
 
 // Input: what the tracer does not need.
@@ -353,8 +360,11 @@ StructuredBuffer<Corner> _CornersBefore;   // those of the round before
 StructuredBuffer<Cell> _TubeCells;         // of this round
 RWStructuredBuffer<Cell> _NextCells;       // of the next one
 RWStructuredBuffer<Cell> _Borders;         // border cells: in the first half those that are cut
-RWStructuredBuffer<uint> _Centres;         // of each cell whose centre is traced: its number, strength of its thin parts
-RWStructuredBuffer<uint2> _Outlines;       // of each ray beside an outline: element of _Centres / 2, number of the side
+// Of each cell whose centre is traced: its number; strength of its thin parts; strength beside outlines along which the phase
+// is slow, or 0.
+static const uint CENTRE_WORDS = 3;
+RWStructuredBuffer<uint> _Centres;
+RWStructuredBuffer<uint2> _Outlines;       // of each ray beside an outline: number in _Centres, number of the side
 
 // Adds a cell to a list that is filled from both ends, so that neighbouring threads follow rays of as many bounces. Returns its
 // element, or no smaller a number than the list has. count: word of the list's counts.

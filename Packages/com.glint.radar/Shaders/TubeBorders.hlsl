@@ -125,7 +125,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
                     if (isStraight)
                         FitPiece(currents, piece, startSide, place, corners, tube, at, number, receiver, strength);
-                    float area = AreaOf(piece, side) * Thinning(length(currents.Gradient), side);
+                    float area = AreaOf(piece, side) * ThinningIn(cell, length(currents.Gradient), side);
                     if (step == 0)
                     {
                         if (currents.Bent * area * strength * WeightAt(tube, at, receivers) > CellError())

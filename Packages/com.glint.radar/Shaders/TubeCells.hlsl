@@ -39,8 +39,9 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (rays > 0 || corners.Common > cell.FirstBounce)
     {
         uint centre = AddToList(TUBE_CENTRES, IsDeep(cell), 1, _ListCapacity.w);
-        _Centres[2 * centre] = index;
-        _Centres[2 * centre + 1] = 0;
+        _Centres[CENTRE_WORDS * centre] = index;
+        _Centres[CENTRE_WORDS * centre + 1] = 0;
+        _Centres[CENTRE_WORDS * centre + 2] = 0;
         if (rays > 0)
             ListOutlineRays(cell, centre, rays);
         return;

@@ -9,6 +9,9 @@
 // Sums the cells whose corners see the same, as one tube each bounce, and divides or lists the others as borders. One thread
 // a cell, which follows the ray through its centre.
 
+// How much more strongly an edge of slow phase counts than it answers: the errors of the cells along it may have one sign.
+static const float EDGE_STRENGTH = 8.0;
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -16,9 +19,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (index >= CountOfList(TUBE_CENTRES, _ListCapacity.w))
         return;
     uint centre = ElementOfList(TUBE_CENTRES, index, 1, _ListCapacity.w);
-    Cell cell = LoadCell(_Centres[2 * centre]);
+    Cell cell = LoadCell(_Centres[CENTRE_WORDS * centre]);
     CellCorners corners = LoadCorners(cell);
-    float thin = asfloat(_Centres[2 * centre + 1]);
+    float thin = asfloat(_Centres[CENTRE_WORDS * centre + 1]), edge = asfloat(_Centres[CENTRE_WORDS * centre + 2]);
+    cell.Traits |= edge > 0.0 ? EDGE_CELL : 0;
     uint common = thin > 0.0 ? 0 : corners.Common;
     float3 left = thin;      // as Strength, Thinned and Bent of a cell
     if (common > cell.FirstBounce)
@@ -45,7 +49,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             }
             if (!goesOn)
             {
-                left = strength * weight * float3(1.0, Thinning(SteepnessAt(tube, receivers), side),
+                left = strength * weight * float3(1.0, ThinningIn(cell, SteepnessAt(tube, receivers), side),
                     BentPieceError(side * side * BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin))));
                 break;
             }
@@ -60,7 +64,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     CurrentsLeft atCorners = LeftAt(corners, cell);
     cell.Strength = max(left.x, atCorners.Strength);
-    cell.Thinned = isRevealed ? MISS : max(left.y, atCorners.Thinned);
+    cell.Thinned = isRevealed ? MISS : max(EDGE_STRENGTH * edge, max(left.y, atCorners.Thinned));
     bool isKinked = cell.FirstBounce < common && all(cell.Signatures == cell.Signatures.x);
     if (isKinked)
     {

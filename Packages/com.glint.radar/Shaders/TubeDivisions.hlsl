@@ -17,7 +17,7 @@ void Divide(Cell cell)
         part.FirstBounce = cell.FirstBounce;
         part.Pose = cell.Pose;
         part.Whole = cell.Number;
-        part.Traits = cell.Traits & DEEP_CELL;
+        part.Traits = cell.Traits & (DEEP_CELL | EDGE_CELL);
         _NextCells[first + i] = part;
     }
 }

@@ -9,15 +9,19 @@
 // thin parts of patches, and strips that a second bounce meets at grazing incidence, beside the line where patches meet. One
 // thread a ray.
 
+// Phase, rad, below which it is slow along an outline through a cell.
+static const float SLOW_PHASE = 3.0;
+
 // Distance of a ray from the outline beside which it looks, on the side of the patch: in sides of the cell, and in places on
 // the grid, which are rounded.
 static const float BESIDE = 1.0 / 1024.0, ROUNDED_BESIDE = 1.0e-6;
 
-float2 PlaceBeside(Cell cell, uint side)
+float2 PlaceBeside(Cell cell, uint side, out float2 along)
 {
     float2 a = PlaceOnGrid(_Sides[SIDE_ROWS * side].xyz), b = PlaceOnGrid(_Sides[SIDE_ROWS * side + 1].xyz),
         inside = PlaceOnGrid(_Sides[SIDE_ROWS * side + 2].xyz);
-    float2 place = lerp(a, b, MiddleWithin(cell, a, b)), across = float2(a.y - b.y, b.x - a.x) / max(length(b - a), 1.0e-9);
+    along = (b - a) / max(length(b - a), 1.0e-9);
+    float2 place = lerp(a, b, MiddleWithin(cell, a, b)), across = float2(-along.y, along.x);
     float offset = BESIDE * SideOfCell(cell) + ROUNDED_BESIDE * max(place.x, place.y);
     return place + (dot(across, inside - a) < 0.0 ? -offset : offset) * across;
 }
@@ -39,9 +43,11 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (index >= min(_Sums[TUBE_OUTLINES], _ListCapacity.x))
         return;
     uint2 ray = _Outlines[index];
-    Cell cell = LoadCell(_Centres[2 * ray.x]);
+    uint centre = CENTRE_WORDS * ray.x;
+    Cell cell = LoadCell(_Centres[centre]);
     CellCorners corners = LoadCorners(cell);
-    TubePath tube = BeginTube(PlaceBeside(cell, ray.y));
+    float2 along;
+    TubePath tube = BeginTube(PlaceBeside(cell, ray.y, along));
     SurfacePoint at;
     AddTo(CountWord(POSE_RAYS), 1);
     [loop]
@@ -49,11 +55,11 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     {
         uint receivers = ReceiversOf(tube, at);
         Sign(tube, receivers);
+        float strength = StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers);
         if (!IsMet(corners, tube))
-        {
-            float strength = StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers);
-            InterlockedMax(_Centres[2 * ray.x + 1], asuint(strength));
-        }
+            InterlockedMax(_Centres[centre + 1], asuint(strength));
+        if (_WaveNumber * SideOfCell(cell) * SlopeAlong(tube, receivers, along) < SLOW_PHASE)
+            InterlockedMax(_Centres[centre + 2], asuint(strength));
         if (!ScatterTube(tube, at))
             break;
     }

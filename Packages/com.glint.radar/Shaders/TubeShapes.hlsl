@@ -44,6 +44,18 @@ uint MaxBisections()
 // border anywhere in it the root mean square is 0.22 to 0.29 by its direction.
 static const float CRUDE_ERROR = 0.25;
 
+// Factor by which a phase gradient, m a base cell, makes the integral over part of a square of a side less than its area.
+float Thinning(float gradient, float side)
+{
+    return min(1.0, 3.0 / max(_WaveNumber * gradient * side, 1.0e-6));
+}
+
+// The same in a cell: none along an edge, whose parts in neighbouring cells do not cancel.
+float ThinningIn(Cell cell, float gradient, float side)
+{
+    return IsAlongEdge(cell) ? 1.0 : Thinning(gradient, side);
+}
+
 // Whether a cell may be summed as a whole.
 bool IsSmall(Cell cell)
 {

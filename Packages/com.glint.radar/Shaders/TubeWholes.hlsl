@@ -14,10 +14,15 @@
 // same in each attempt.
 static const float MAX_HIDDEN_ERROR = 8.0;
 
+// Cells along an edge of slow phase answer together: a square of steep phase cancels itself, and the part of the strip between
+// its edges that the square stands for does not. They are taken as points of their size, whose sum is that of the strip on
+// average, and whose errors may have one sign: this part of each.
+static const float ONE_SIDED = 0.25;
+
 // Whether the middle of a cell that is summed as a whole answers far more strongly than its corners. strength: of its ray.
-bool HidesCurrents(TubePath tube, SurfacePoint at, uint receivers, float strength, float side)
+bool HidesCurrents(Cell cell, TubePath tube, SurfacePoint at, uint receivers, float strength, float side)
 {
-    float thinned = Thinning(SteepnessAt(tube, receivers), side) * strength;
+    float thinned = ThinningIn(cell, SteepnessAt(tube, receivers), side) * strength;
     return CRUDE_ERROR * side * side * thinned * WeightAt(tube, at, receivers) > MAX_HIDDEN_ERROR * CellError();
 }
 
@@ -59,7 +64,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         uint receivers = ReceiversOf(tube, at), bounce = tube.Path.Bounces - 1;
         bool isLeft = bounce >= cell.FirstBounce;
         float strength = StrengthAt(tube, at, receivers);
-        if (isLeft && cell.Level < MaxLevel() && HidesCurrents(tube, at, receivers, strength, side))
+        if (isLeft && cell.Level < MaxLevel() && HidesCurrents(cell, tube, at, receivers, strength, side))
         {
             // What it has met before is summed for the whole cell.
             cell.FirstBounce = bounce;
@@ -75,7 +80,12 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 currents.Corners01.x = side;
                 currents.Corners23.x = 1.0;
                 currents.Bent = BentErrorAt(tube, at, receiver, side);
-                currents.Error = CRUDE_ERROR * side * side * Thinning(length(currents.Gradient), side);
+                currents.Error = CRUDE_ERROR * side * side * ThinningIn(cell, length(currents.Gradient), side);
+                if (IsAlongEdge(cell))
+                {
+                    currents.Gradient = 0.0;
+                    currents.Bent = max(currents.Bent, ONE_SIDED);
+                }
                 AddTubeOf(currents, CentreOfCell(cell), tube, at, receiver, side);
                 isSummed = true;
             }

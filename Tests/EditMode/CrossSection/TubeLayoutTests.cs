@@ -128,6 +128,7 @@ namespace Glint.Tests
                     ["CHANGE_ARGUMENTS"] = TubeRounds.ChangeArguments,
                     ["BORDER_RAY_ARGUMENTS"] = TubeRounds.BorderRayArguments,
                     ["NEW_CORNERS"] = TubeKernels.NewCorners, ["BORDER_RAYS"] = AmplitudeKernels.BorderRays,
+                    ["CENTRE_WORDS"] = TubeLists.CentreWords,
                     ["TUBE_EXTRAS"] = TubeKernels.TubeExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows

@@ -22,6 +22,9 @@ namespace Glint
         /// <summary>Of even rounds and of odd ones; none for an amplitude.</summary>
         public DeviceBuffer<TubeCorner>[] Corners { get; } = TwoOf<TubeCorner>("corners of cells");
 
+        /// <summary>Words of an element of <see cref="Centres"/>: CENTRE_WORDS in Shaders/TubeBindings.hlsl.</summary>
+        public const int CentreWords = 3;
+
         /// <summary>None for an amplitude.</summary>
         public DeviceBuffer<uint> Centres { get; } = new DeviceBuffer<uint>("centres of cells");
 
@@ -64,7 +67,7 @@ namespace Glint
         {
             foreach (var list in Corners)
                 list.Reserve(corners);
-            Centres.Reserve(2L * centres);
+            Centres.Reserve((long)CentreWords * centres);
             Outlines.Reserve(Tubes.Capacity);
         }
 

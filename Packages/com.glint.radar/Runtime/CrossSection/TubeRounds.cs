@@ -127,7 +127,7 @@ namespace Glint
             }
             _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
             _shader.SetInts(TubeIDs._ListCapacity, lists.Tubes.Capacity, lists.CellCapacity, lists.Borders.Capacity / 2,
-                lists.Centres.Capacity / 2);
+                lists.Centres.Capacity / TubeLists.CentreWords);
         }
 
         /// <summary>Clears counts and sums.</summary>
