@@ -55,11 +55,14 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     {
         uint receivers = ReceiversOf(tube, at);
         Sign(tube, receivers);
-        float strength = StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers);
-        if (!IsMet(corners, tube))
-            InterlockedMax(_Centres[centre + 1], asuint(strength));
-        if (_WaveNumber * SideOfCell(cell) * SlopeAlong(tube, receivers, along) < SLOW_PHASE)
-            InterlockedMax(_Centres[centre + 2], asuint(strength));
+        bool isMet = IsMet(corners, tube),
+            isSlow = _WaveNumber * SideOfCell(cell) * SlopeAlong(tube, receivers, along) < SLOW_PHASE;
+        if (!isMet || isSlow)
+        {
+            float strength = StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers);
+            InterlockedMax(_Centres[centre + 1], isMet ? 0 : asuint(strength));
+            InterlockedMax(_Centres[centre + 2], isSlow ? asuint(strength) : 0);
+        }
         if (!ScatterTube(tube, at))
             break;
     }
