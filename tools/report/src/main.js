@@ -19,5 +19,12 @@ byId('title').textContent = name;
 document.querySelectorAll('[data-for]').forEach(part => { if (!part.dataset.for.split(' ').some(name => parts.includes(name))) part.remove(); });
 const paint = show(data);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
+// On paper charts have the width of a page and light colours.
+const print = isPrinted => {
+  document.documentElement.classList.toggle('print', isPrinted);
+  paint();
+};
+addEventListener('beforeprint', () => print(true));
+addEventListener('afterprint', () => print(false));
 // The frame after the one in which everything is drawn.
 requestAnimationFrame(() => requestAnimationFrame(() => { document.documentElement.dataset.ready = Math.round(performance.now()); }));
