@@ -18,7 +18,7 @@ export const maxSpan = 70;
 export const decibels = amplitude => amplitude > 0 ? 20 * Math.log10(amplitude) : null;
 
 /** The level of an amplitude with its error; a band down to nothing ends far below. */
-export const edgeOf = (amplitude, error) => decibels(amplitude + error) ?? (amplitude > 0 ? decibels(amplitude) - maxSpan : null);
+export const edgeOf = (amplitude, error) => amplitude > 0 ? decibels(amplitude + error) ?? decibels(amplitude) - maxSpan : null;
 
 // Of values without neighbours no line shows anything.
 const isAlone = (values, place) => (values[place] ?? null) !== null && (values[place - 1] ?? null) === null && (values[place + 1] ?? null) === null;

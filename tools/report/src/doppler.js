@@ -49,7 +49,7 @@ export class Maps {
     const { map, echo } = this, { value: speed } = byId('doppler-speed'), row = speed === strongest ? this.highest()[1] : Number(speed), values = Array.from({ length: map.cells }, (_, cell) => this.level(row, cell));
     draw(byId('doppler-cut'), {
       x: { label: 'range, m', values: values.map((_, cell) => this.rangeOf(cell)) },
-      series: [{ label: `${echo.polarisations[this.polarisation].toUpperCase()} at ${number(this.speed(row), 4)} m/s`, values, stroke: stroke(0), points: pointsOf(values, stroke(0), 0) }],
+      series: [{ label: `${echo.polarisations[this.polarisation].toUpperCase()} at ${number(this.speed(row), 4)} m/s`, values, stroke: stroke(0), dash: [], points: pointsOf(values, stroke(0), 0) }],
       yLabel: `echo, ${this.unit}`, maxSpan, height: 240, description: `Cut of the map at ${number(this.speed(row), 4)} m/s in ${this.unit}.`
     });
   }
