@@ -25,6 +25,10 @@ const list = sources.map(path => `${sha256(readFileSync(path))}  ${path}\n`).joi
 mkdirSync(`${product}/Editor/Report`, { recursive: true });
 // The first line is the document type; the second names the sources and the bundled packages.
 writeFileSync(`${product}/Editor/Report/Template.txt`, `<!DOCTYPE html>\n<!-- sources ${sha256(list)} page ${sha256(page)} -->\n${page}`);
-writeFileSync(`${product}/Third Party Notices.md`, `# Third party notices\n\nThe template of the HTML report (\`Editor/Report/Template.txt\`) contains these libraries; every report carries their licences too.\n\n${notices
-  .map(({ name, version, license, text }) => `## ${name} ${version}, ${license}\n\n${text}\n`).join('\n')}`);
+const noticesPath = `${product}/Third Party Notices.md`;
+// Sections of what is not of the report stay.
+const others = read(noticesPath).split(/^(?=## )/m).slice(1).filter(section => !libraries.some(name => section.startsWith(`## ${name} `)));
+const own = notices.map(({ name, version, license, text }) => `## ${name} ${version}, ${license}\n\n${text}\n`);
+writeFileSync(noticesPath, `# Third party notices\n\nThe template of the HTML report (\`Editor/Report/Template.txt\`) contains these libraries; every report carries their licences too.\n\n${
+  [...own, ...others].map(section => `${section.trim()}\n`).join('\n')}`);
 console.log(`Template.txt: ${page.length} characters, of which ${output('.js').length} script`);

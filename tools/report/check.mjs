@@ -1,7 +1,5 @@
 import { mkdirSync, readFileSync } from 'node:fs';
-import { resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
-import puppeteer from 'puppeteer-core';
+import { end, launch, newPage, openReport } from './browser.mjs';
 import { closest } from './colours.mjs';
 import { hotStops, ofObject, ofSegment, seriesColours } from './src/palette.js';
 
@@ -19,9 +17,7 @@ const palettes = {
 for (const [of, colours] of Object.entries(palettes))
   for (const { vision, distance, pair } of closest(colours))
     if (distance < leastDistance) failures.push(`${pair}, of ${of}, look alike to ${vision}: ${distance.toFixed(1)} apart, must be ${leastDistance}`);
-const browser = await puppeteer.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--use-angle=swiftshader', '--hide-scrollbars']
-});
+const browser = await launch();
 try {
   for (const width of [1280, 400])
     for (const scheme of ['light', 'dark'])
@@ -29,17 +25,11 @@ try {
 } finally {
   await browser.close();
 }
-for (const failure of failures) console.error(`check: ${failure}`);
-console.log(failures.length === 0 ? 'passed' : `${failures.length} failed`);
-process.exit(failures.length === 0 ? 0 : 1);
+end(failures);
 
 async function look(width, scheme) {
   const at = `${width} px, ${scheme}`, fail = what => failures.push(`${at}: ${what}`);
-  const page = await browser.newPage();
-  page.on('console', message => { if (['error', 'warn'].includes(message.type())) fail(`console: ${message.text()}`); });
-  page.on('pageerror', error => fail(`script: ${error.message}`));
-  page.on('request', request => { if (!/^(file|data):/.test(request.url())) fail(`asks for ${request.url()}`); });
-  await page.setViewport({ width, height: 900, deviceScaleFactor: 1 });
+  const page = await newPage(browser, width, fail);
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
   const readyMs = await open(page);
   if (readyMs > limitMs) fail(`ready after ${readyMs} ms`);
@@ -54,9 +44,9 @@ async function look(width, scheme) {
     };
     const shown = [...document.querySelectorAll('canvas')].filter(canvas => canvas.offsetParent !== null);
     const { run, scene, echo } = JSON.parse(document.getElementById('data').textContent);
-    const chosen = run.rows[scene?.pose ?? 0], isAround = new Set(run.rows.map(row => row.azimuth_deg)).size > 1;
+    const chosen = run.rows[scene?.pose ?? 0], varies = name => new Set(run.rows.map(row => row[name])).size > 1;
     return {
-      expected: run.table === 'ppi' ? ['ppi'] : run.table === 'clutter' ? ['sigma0-vv', 'sigma0-hh', 'shapes'] : run.table === 'echo' ? ['profile', ...echo.image ? ['image'] : [], ...echo.doppler ? ['doppler', 'doppler-cut'] : [], ...run.rows.length > 1 ? ['waterfall', 'levels'] : [], ...scene ? ['view'] : []] : run.table === 'rcs' ? ['levels', ...isAround ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
+      expected: run.table === 'ppi' ? ['ppi'] : run.table === 'clutter' ? ['sigma0-vv', 'sigma0-hh', 'shapes'] : run.table === 'echo' ? ['profile', ...echo.image ? ['image'] : [], ...echo.doppler ? ['doppler', 'doppler-cut'] : [], ...['azimuth_deg', 'elevation_deg'].some(varies) ? ['waterfall'] : [], ...run.rows.length > 1 ? ['levels'] : [], ...scene ? ['view'] : []] : run.table === 'rcs' ? ['levels', ...varies('azimuth_deg') ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
       canvases: shown.map(canvas => ({ name: canvas.id || canvas.closest('.chart')?.id, shades: shades(canvas), label: canvas.getAttribute('aria-label') })),
       overflow: document.documentElement.scrollWidth - innerWidth,
       isOfRows: run.table !== undefined && run.rows.length > 1,
@@ -75,6 +65,7 @@ async function look(width, scheme) {
   if (has3D) await turns(page, fail);
   if (facts.canvases.some(canvas => canvas.name === 'ppi')) await zooms(page, fail);
   if (facts.isOfRows) await chooses(page, fail);
+  await prints(page, fail);
   console.log(`${at}: ready after ${readyMs} ms; ${facts.canvases.map(canvas => `${canvas.name} ${canvas.shades}`).join(', ')} colours`);
   if (folder) {
     mkdirSync(folder, { recursive: true });
@@ -88,11 +79,7 @@ async function look(width, scheme) {
 // Milliseconds until everything is drawn: the best of a few, since the machine may be busy.
 async function open(page) {
   let best = Infinity;
-  for (let attempt = 0; attempt < 3 && best > limitMs; attempt++) {
-    await page.goto(pathToFileURL(resolve(report)).href);
-    await page.waitForFunction(() => document.documentElement.dataset.ready, { timeout: 30000 });
-    best = Math.min(best, Number(await page.evaluate(() => document.documentElement.dataset.ready)));
-  }
+  for (let attempt = 0; attempt < 3 && best > limitMs; attempt++) best = Math.min(best, await openReport(page, report));
   return best;
 }
 
@@ -141,6 +128,11 @@ async function zooms(page, fail) {
   const near = await frame();
   if (near === first) fail('+ does not zoom the picture');
   await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.4 * box.height);
+  await page.mouse.wheel({ deltaY: -1 });
+  await page.waitForFunction(before => document.getElementById('ppi').toDataURL() !== before, { timeout: 5000 }, near).catch(() => fail('the wheel does not zoom the picture with the focus'));
+  await page.keyboard.press('Home');
+  await page.keyboard.press('=');
+  if (await frame() !== near) fail('= does not zoom the picture as + does');
   if (!/bearing .* dB over noise/.test(await page.evaluate(() => document.getElementById('ppi-readout').textContent))) fail('the picture tells no level under the mouse');
   await page.mouse.down();
   await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height, { steps: 3 });
@@ -148,6 +140,24 @@ async function zooms(page, fail) {
   if (await frame() === near) fail('the mouse does not move the picture');
   await page.keyboard.press('Home');
   if (await frame() !== first) fail('Home does not show the whole turn');
+}
+
+// On paper charts have the width of the page and light colours, and afterwards those of the window.
+async function prints(page, fail) {
+  const state = () => page.evaluate(() => ({
+    back: getComputedStyle(document.body).backgroundColor, page: document.body.clientWidth,
+    charts: [...document.querySelectorAll('.chart .uplot')].filter(chart => chart.offsetParent !== null).map(chart => [chart.clientWidth, chart.closest('.chart').clientWidth]),
+    table: Math.floor(document.getElementById('table')?.getBoundingClientRect().width ?? 0)
+  }));
+  const send = name => page.evaluate(event => dispatchEvent(new Event(event)), name);
+  const before = await state();
+  await send('beforeprint');
+  const paper = await state();
+  if (paper.back !== 'rgb(255, 255, 255)') fail(`a printed page is ${paper.back}`);
+  if (paper.charts.some(([chart, place]) => chart !== place) || paper.table > paper.page) fail(`charts or table are not as wide as a printed page: ${JSON.stringify(paper)}`);
+  await send('afterprint');
+  const after = await state();
+  if (JSON.stringify(after) !== JSON.stringify(before)) fail(`printing leaves traces: ${JSON.stringify(before)}, then ${JSON.stringify(after)}`);
 }
 
 // Another row changes the charts, the table of contributions and the 3-D view; a click on the polar chart chooses one.

@@ -1,5 +1,5 @@
 import uPlot from 'uplot';
-import { number } from './text.js';
+import { lineSample, number } from './text.js';
 import { seriesColours, theme } from './palette.js';
 
 // Series of a sweep over snapshots and angles, distinguished by colour and dash.
@@ -10,6 +10,23 @@ export const stroke = i => {
   return colour.startsWith('--') ? theme(colour) : colour;
 };
 export const dash = i => dashes[Math.floor(i / 2) % dashes.length];
+
+/** Decibels below the highest level that a chart shows: nulls have no end. */
+export const maxSpan = 70;
+
+/** The level of an amplitude or of nothing. */
+export const decibels = amplitude => amplitude > 0 ? 20 * Math.log10(amplitude) : null;
+
+/** The level of an amplitude with its error; a band down to nothing ends far below. */
+export const edgeOf = (amplitude, error) => amplitude > 0 ? decibels(amplitude + error) ?? decibels(amplitude) - maxSpan : null;
+
+// Of values without neighbours no line shows anything.
+const isAlone = (values, place) => (values[place] ?? null) !== null && (values[place - 1] ?? null) === null && (values[place + 1] ?? null) === null;
+
+/** The points of a curve: all of so many at most, else those that stand alone. */
+export const pointsOf = (values, colour, most, size = 5) => ({
+  show: values.length <= most, size, fill: colour, filter: (plot, series, isShown) => isShown ? null : [...values.keys()].filter(place => isAlone(values, place))
+});
 
 const wholeSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 1e4, 1e5, 1e6];
 
@@ -50,12 +67,12 @@ export function draw(element, what) {
     ctx.stroke();
     ctx.restore();
   };
-  const single = what.x.values.length === 1;
+  const isSingle = what.x.values.length === 1;
   const plot = new uPlot({
     width: element.clientWidth || 600,
     height: what.height ?? 300,
     scales: {
-      x: { time: false, distr: what.isXLogarithmic ? 3 : 1, range: what.isXLogarithmic ? logarithmic : what.xRange ?? (single ? (u, low) => [low - 1, low + 1] : undefined) },
+      x: { time: false, distr: what.isXLogarithmic ? 3 : 1, range: what.isXLogarithmic ? logarithmic : what.xRange ?? (isSingle ? () => [what.x.values[0] - 1, what.x.values[0] + 1] : undefined) },
       y: { distr: what.isLogarithmic ? 3 : 1, range: what.isLogarithmic ? logarithmic : (u, low, high) => low === null ? [0, 1] : what.fromZero ? [0, high > 0 ? high * 1.08 : 1] : low === high ? [low - 1, high + 1] : uPlot.rangeNum(Math.max(low, high - (what.maxSpan ?? Infinity)), high, 0.08, true) }
     },
     axes: [axis(what.x.label, 46, what.x.isWhole, what.isXLogarithmic), axis(what.yLabel, 72, false, what.isLogarithmic)],
@@ -67,7 +84,11 @@ export function draw(element, what) {
     hooks: { draw: [mark], ready: [u => u.over.addEventListener('click', () => u.cursor.idx !== null && what.onPick?.(u.cursor.idx))] }
   }, [what.x.values, ...what.series.map(series => series.values)], element);
   // Edges of a band have no name.
-  plot.root.querySelectorAll('.u-series').forEach(row => { row.hidden = row.querySelector('.u-label')?.textContent.trim() === ''; });
+  plot.root.querySelectorAll('.u-series').forEach((row, i) => {
+    row.hidden = row.querySelector('.u-label')?.textContent.trim() === '';
+    const series = what.series[i - 1];
+    if (series?.dash) row.querySelector('.u-marker').replaceWith(lineSample(series.stroke, series.dash));
+  });
   plot.root.querySelectorAll('canvas').forEach(canvas => {
     canvas.setAttribute('role', 'img');
     canvas.setAttribute('aria-label', what.description);

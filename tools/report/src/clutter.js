@@ -3,7 +3,7 @@ import { byId, number, plural, seconds } from './text.js';
 import { Poses } from './poses.js';
 import { PoseTable } from './table.js';
 import { chooseRow } from './rows.js';
-import { dash, draw, stroke } from './charts.js';
+import { dash, draw, pointsOf, stroke } from './charts.js';
 import { settingsTable, showFacts } from './settings.js';
 
 // The last one that varies is that of the charts.
@@ -24,7 +24,7 @@ export function showClutter(data) {
   axes.forEach(([name, axis], order) => { columns[name] = { ...columns[name], axis: { ...axis, order, is_whole: false } }; });
   poses = new Poses(run.rows, columns, true);
   head();
-  new PoseTable(poses, columns, 'clutter.csv');
+  new PoseTable(poses, columns, 'row', 'clutter.csv');
   settingsTable(run, poses);
   byId('settings-note').hidden = true;
   chooseRow(poses, 'sigma0-others', row => `VV ${number(row.sigma0_vv_db, 4)}, HH ${number(row.sigma0_hh_db, 4)}, HV ${number(row.sigma0_hv_db, 4)} dB, ${number(100 * row.lit_fraction, 3)} % lit`);
@@ -58,7 +58,8 @@ const valuesOf = column => poses.line.map(row => row?.[column] ?? null);
 
 // A curve with points, thin and broken for what is published.
 function curve(column, label, colour, isOwn) {
-  return { label, values: valuesOf(column), stroke: stroke(colour), dash: isOwn ? [] : dash(2 * colour), width: isOwn ? 3 : 1.5, points: { show: isOwn && poses.x.values.length <= 60, size: 6, fill: stroke(colour) } };
+  const values = valuesOf(column);
+  return { label, values, stroke: stroke(colour), dash: isOwn ? [] : dash(2 * colour), width: isOwn ? 3 : 1.5, points: pointsOf(values, stroke(colour), isOwn ? 60 : 0, 6) };
 }
 
 function chart(id, series, yLabel, description, isLogarithmic) {

@@ -1,13 +1,13 @@
 // What objects and bounces contribute: levels over the axis of the charts, and those of the chosen row.
 import { byId, make, number } from './text.js';
-import { dash, draw, stroke } from './charts.js';
+import { dash, decibels, draw, maxSpan, pointsOf, stroke } from './charts.js';
 import { theme } from './palette.js';
 
 const mostLines = 6;
 
 export class Contributions {
-  constructor(run, poses, present, maxSpan) {
-    [this.names, this.poses, this.present, this.maxSpan] = [run.scene.object_names ?? [], poses, present, maxSpan];
+  constructor(run, poses, present) {
+    [this.names, this.poses] = [run.scene.object_names ?? [], poses];
     for (const name of present) byId('parts-polarisation').append(make('option', name.toUpperCase(), { value: name }));
     for (const id of ['parts-by', 'parts-polarisation']) byId(id).addEventListener('change', () => this.draw());
   }
@@ -23,16 +23,16 @@ export class Contributions {
     const first = 1 + 2 * ['vv', 'hv', 'vh', 'hh'].indexOf(name);
     // Parts of a row by number: real and imaginary part.
     const partsOf = row => new Map((row?.contributions?.[by] ?? []).map(list => [list[0], [list[first], list[first + 1]]]));
-    const level = amplitude => amplitude && Math.hypot(...amplitude) > 0 ? 20 * Math.log10(Math.hypot(...amplitude)) : null;
+    const level = amplitude => amplitude ? decibels(Math.hypot(...amplitude)) : null;
     const all = line.map(partsOf), strength = new Map();
     for (const parts of all) for (const [part, amplitude] of parts) strength.set(part, Math.max(strength.get(part) ?? -Infinity, level(amplitude) ?? -Infinity));
     const shown = [...strength.keys()].sort((a, b) => strength.get(b) - strength.get(a)).slice(0, mostLines);
-    const points = { show: x.values.length <= 60, size: 4 };
+    const curve = (label, values, colour, dashes) => ({ label, values, stroke: colour, dash: dashes, points: pointsOf(values, colour, 60, 4) });
     draw(byId('parts'), {
-      x, yLabel: `${name.toUpperCase()}, dBsm`, maxSpan: this.maxSpan, height: 340,
+      x, yLabel: `${name.toUpperCase()}, dBsm`, maxSpan, height: 340,
       series: [
-        { label: 'whole', values: line.map(row => row?.[`${name}_dbsm`] ?? null), stroke: theme('--text'), width: 3, points },
-        ...shown.map((part, i) => ({ label: this.nameOf(by, part), values: all.map(parts => level(parts.get(part))), stroke: stroke(i), dash: dash(i), points }))
+        { ...curve('whole', line.map(row => row?.[`${name}_dbsm`] ?? null), theme('--text'), []), width: 3 },
+        ...shown.map((part, i) => curve(this.nameOf(by, part), all.map(parts => level(parts.get(part))), stroke(i), dash(i)))
       ],
       description: `Contributions by ${by === 'objects' ? 'object' : 'number of bounces'} over ${x.label}; the strongest is that of ${shown.length > 0 ? this.nameOf(by, shown[0]) : 'none'}. The table below has those of the chosen row.`,
       marked: () => poses.xOf(poses.chosen), onPick: index => poses.choose(poses.at(index))
@@ -43,7 +43,7 @@ export class Contributions {
 
   fill(by, parts, level, whole) {
     const line = (name, amplitude) => {
-      const row = make('tr'), above = level(amplitude) === null ? null : level(amplitude) - level(whole);
+      const row = make('tr'), above = level(amplitude) === null || level(whole) === null ? null : level(amplitude) - level(whole);
       row.append(make('td', name), ...[level(amplitude), above, level(amplitude) === null ? null : Math.atan2(amplitude[1], amplitude[0]) * 180 / Math.PI].map(value => make('td', value === null ? '-' : value.toFixed(1))));
       return row;
     };

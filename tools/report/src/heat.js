@@ -1,17 +1,18 @@
 // Levels as colours over range: what the waterfall and the range-Doppler map share.
-import { make, number } from './text.js';
+import { highestOf, make, number } from './text.js';
 import { hotStops, ofHeat, theme } from './palette.js';
 
 /** Decibels below the highest level that are shown. */
 export const span = 60;
 
-const margin = { left: 66, right: 10, top: 8, bottom: 42 };
+const margin = { left: 66, right: 10, top: 8, bottom: 42 }, titleHeight = 14;
+const font = '12px system-ui, "Segoe UI", "Liberation Sans", sans-serif';
 const steps = [1, 2, 5].flatMap(digit => [-3, -2, -1, 0, 1, 2, 3, 4, 5].map(power => digit * 10 ** power)).sort((a, b) => a - b);
 
 export class Heat {
   /** @param {HTMLCanvasElement} canvas @param {HTMLElement} legend @param {object} range start, step and cells. @param {string} label Of the range. */
   constructor(canvas, legend, range, label = 'range, m') {
-    [this.canvas, this.legend, this.range, this.label, this.left, this.top] = [canvas, legend, range, label, margin.left, margin.top];
+    [this.canvas, this.legend, this.range, this.label, this.top] = [canvas, legend, range, label, margin.top];
   }
 
   /** Makes the height of the canvas that of a square picture. */
@@ -20,37 +21,40 @@ export class Heat {
     canvas.style.height = `${canvas.clientWidth - margin.left - margin.right + margin.top + margin.bottom}px`;
   }
 
-  /** False if the canvas is not shown. */
-  begin() {
+  /** False if the canvas is not shown. @param {number[]} values That the axis on the left has to have room for. */
+  begin(values = []) {
     const { canvas } = this, [width, height] = [canvas.clientWidth, canvas.clientHeight];
     if (width === 0) return false;
     [canvas.width, canvas.height] = [width * devicePixelRatio, height * devicePixelRatio].map(Math.round);
     const ctx = this.ctx = canvas.getContext('2d');
     ctx.scale(devicePixelRatio, devicePixelRatio);
-    [this.width, this.height] = [width - margin.left - margin.right, height - margin.top - margin.bottom];
+    ctx.font = font;
+    this.left = Math.max(margin.left, titleHeight + 14 + highestOf(values.map(value => number(value)).map(text => ctx.measureText(text).width)));
+    [this.width, this.height] = [width - this.left - margin.right, height - margin.top - margin.bottom];
     return true;
   }
 
-  /** The levels of all pixels of a row, of the cells of a pixel the highest. @param {(cell: number) => number} level */
+  /** The levels of all pixels of a row, of the cells of a pixel the highest, -Infinity of no echo. @param {(cell: number) => number?} level */
   pixelsOf(level) {
     const pixels = Math.max(1, Math.round(this.width)), { cells } = this.range;
     return Array.from({ length: pixels }, (_, pixel) => {
       const first = Math.floor(pixel * cells / pixels), end = Math.max(first + 1, Math.floor((pixel + 1) * cells / pixels));
       let best = -Infinity;
-      for (let cell = first; cell < end; cell++) best = Math.max(best, level(cell));
+      for (let cell = first; cell < end; cell++) best = Math.max(best, level(cell) ?? -Infinity);
       return best;
     });
   }
 
-  /** Paints rows, null for none, each from a bottom to a top on the canvas; returns the highest level. */
+  /** Paints rows, null for none, each from a bottom to a top on the canvas; returns the highest level, -Infinity of no echo. */
   paint(rows, bandOf) {
-    const highest = rows.reduce((best, row) => row === null ? best : row.reduce((a, b) => Math.max(a, b), best), -Infinity);
+    const highest = highestOf(rows.map(row => row === null ? -Infinity : highestOf(row)));
     const pixels = Math.max(1, Math.round(this.width)), strip = new OffscreenCanvas(pixels, 1), to = strip.getContext('2d'), image = to.createImageData(pixels, 1);
     const colours = Array.from({ length: 10 * span + 1 }, (_, i) => ofHeat(i / (10 * span)));
+    const colourOf = level => colours[level === -Infinity ? 0 : Math.round(10 * Math.max(0, level - highest + span))];
     this.ctx.imageSmoothingEnabled = false;
     rows.forEach((row, index) => {
       if (row === null) return;
-      row.forEach((level, pixel) => image.data.set([...colours[Math.round(10 * Math.max(0, level - highest + span))], 255], 4 * pixel));
+      row.forEach((level, pixel) => image.data.set([...colourOf(level), 255], 4 * pixel));
       to.putImageData(image, 0, 0);
       const [low, high] = bandOf(index).map(Math.round);
       this.ctx.drawImage(strip, this.left, high, this.width, low - high);
@@ -62,7 +66,6 @@ export class Heat {
   drawAxes(label, values) {
     const { ctx, range, width, height, left, top } = this, bottom = top + height;
     [ctx.strokeStyle, ctx.fillStyle, ctx.lineWidth] = [theme('--line'), theme('--soft'), 1];
-    ctx.font = '12px system-ui, "Segoe UI", "Liberation Sans", sans-serif';
     ctx.strokeRect(left, top, width, height);
     const extent = range.cells * range.step, from = range.start - range.step / 2, step = stepOf(extent, width / 60);
     [ctx.textAlign, ctx.textBaseline] = ['center', 'top'];
@@ -80,7 +83,7 @@ export class Heat {
       free = y - 18;
     }
     ctx.save();
-    ctx.translate(14, top + height / 2);
+    ctx.translate(titleHeight, top + height / 2);
     ctx.rotate(-Math.PI / 2);
     ctx.textAlign = 'center';
     ctx.fillText(label, 0, 0);
@@ -88,6 +91,10 @@ export class Heat {
   }
 
   drawLegend(highest, unit) {
+    if (highest === -Infinity) {
+      this.legend.replaceChildren(make('span', 'no echo'));
+      return;
+    }
     const ramp = make('span', null, { class: 'ramp', role: 'img', 'aria-label': 'from dark violet over red and orange to light yellow' });
     ramp.style.background = `linear-gradient(to right, ${hotStops.join(', ')})`;
     this.legend.replaceChildren(make('span', `${number(highest - span, 3)} ${unit} and less`), ramp, make('span', `${number(highest, 3)} ${unit}`));

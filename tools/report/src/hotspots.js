@@ -14,10 +14,10 @@ function towards(azimuth, elevation) {
 }
 
 export class HotSpots extends View {
-  constructor(run, scene, poses, present) {
+  constructor(run, scene, poses, present, renderer) {
     const row = poses.rows[poses.chosen], around = new Sphere().setFromPoints(cornersOf(scene));
     const away = towards(row.azimuth_deg, row.elevation_deg).map(part => 2 * around.radius * part);
-    super({ ...scene, radar: { place: away }, paths: { points: '', counts: [] } });
+    super({ ...scene, radar: { place: away }, paths: { points: '', counts: [] } }, renderer);
     [this.run, this.poses, this.around] = [run, poses, around];
     this.surface.color.set('#66717c');
     this.readSpots();

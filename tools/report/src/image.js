@@ -1,5 +1,5 @@
 // The ISAR image, with the target's outline from above at the same scale.
-import { byId, bytes, make, number } from './text.js';
+import { byId, bytes, levelText, levelsFrom, make, number } from './text.js';
 import { Heat, span, stepOf } from './heat.js';
 
 export class IsarImage {
@@ -7,7 +7,7 @@ export class IsarImage {
   constructor(echo, scene) {
     [this.echo, this.image, this.scene] = [echo, echo.image, scene];
     const { image } = this;
-    this.levels = new Int16Array(bytes(image.levels).buffer);
+    this.levels = levelsFrom(image.levels);
     this.heat = new Heat(byId('image'), byId('image-legend'), { start: image.start, step: image.step, cells: image.pixels }, 'cross range, m');
     echo.polarisations.forEach((name, i) => byId('image-polarisation').append(make('option', name.toUpperCase(), { value: i })));
     for (const id of ['image-polarisation', 'image-outline']) byId(id).addEventListener('change', () => this.draw());
@@ -18,7 +18,7 @@ export class IsarImage {
   }
 
   get polarisation() { return Number(byId('image-polarisation').value); }
-  level(row, column) { return this.levels[(this.polarisation * this.image.pixels + row) * this.image.pixels + column] / 100; }
+  level(row, column) { return this.levels((this.polarisation * this.image.pixels + row) * this.image.pixels + column); }
   placeOf(index) { return this.image.start + index * this.image.step; }
 
   draw() {
@@ -32,7 +32,7 @@ export class IsarImage {
     for (let i = Math.ceil((image.start - image.step / 2) / step); i * step <= image.start - image.step / 2 + side; i++) ticks.push([i * step + 0, this.yOf(i * step)]);
     heat.drawAxes('down range, m', ticks);
     heat.drawLegend(top, 'dBsm');
-    heat.canvas.setAttribute('aria-label', `ISAR image of ${number(side, 4)} m a side, as colours over ${span} dB: the highest pixel has ${number(top, 4)} dBsm.`);
+    heat.canvas.setAttribute('aria-label', `ISAR image of ${number(side, 4)} m a side, as colours over ${span} dB: the highest pixel has ${levelText(top, 'dBsm')}.`);
   }
 
   yOf(down) { return this.heat.top + this.heat.height * (1 - ((down - this.image.start) / this.image.step + 0.5) / this.image.pixels); }
@@ -79,6 +79,6 @@ export class IsarImage {
 
   read(event) {
     const at = this.heat.at(event), row = at && Math.floor((1 - (at.y - this.heat.top) / this.heat.height) * this.image.pixels);
-    byId('image-readout').textContent = at === null || row < 0 || row >= this.image.pixels ? '\u00a0' : `down range ${number(this.placeOf(row), 4)} m, cross range ${number(this.placeOf(at.cell), 4)} m: ${number(this.level(row, at.cell), 4)} dBsm`;
+    byId('image-readout').textContent = at === null || row < 0 || row >= this.image.pixels ? '\u00a0' : `down range ${number(this.placeOf(row), 4)} m, cross range ${number(this.placeOf(at.cell), 4)} m: ${levelText(this.level(row, at.cell), 'dBsm')}`;
   }
 }

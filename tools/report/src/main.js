@@ -19,5 +19,17 @@ byId('title').textContent = name;
 document.querySelectorAll('[data-for]').forEach(part => { if (!part.dataset.for.split(' ').some(name => parts.includes(name))) part.remove(); });
 const paint = show(data);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
+// On paper charts have the width of a page and light colours, and the table is small enough to be whole.
+const print = isPrinted => {
+  document.documentElement.classList.toggle('print', isPrinted);
+  const table = byId('table');
+  if (table) {
+    table.style.zoom = 1;
+    if (isPrinted) table.style.zoom = Math.min(1, table.parentNode.clientWidth / table.scrollWidth);
+  }
+  paint();
+};
+addEventListener('beforeprint', () => print(true));
+addEventListener('afterprint', () => print(false));
 // The frame after the one in which everything is drawn.
 requestAnimationFrame(() => requestAnimationFrame(() => { document.documentElement.dataset.ready = Math.round(performance.now()); }));

@@ -1,9 +1,12 @@
 // Levels over an angle, around a centre.
-import { byId, number } from './text.js';
+import { byId, highestOf, number } from './text.js';
 import { theme } from './palette.js';
 
 // Decibels; labels nearer to the centre, in pixels, would hide it.
 const span = 50, ring = 10, nearestLabel = 28;
+
+// Whether the last angle is as near to the first as some others are to each other.
+const isWholeTurn = angles => angles.length > 2 && 360 - (angles.at(-1) - angles[0]) <= (1 + 1e-9) * highestOf(angles.slice(1).map((angle, i) => angle - angles[i]));
 
 export class Polar {
   /** @param {boolean} isElevation Whether the angle grows upwards from the right; azimuth grows clockwise from the top. @param {function} onPick takes an index. */
@@ -32,7 +35,7 @@ export class Polar {
     ctx.scale(devicePixelRatio, devicePixelRatio);
     [this.middle, this.radius] = [size / 2, size / 2 - 32];
     const levels = this.what.series.flatMap(series => series.values.filter(value => value !== null));
-    this.top = levels.length === 0 ? 0 : ring * Math.ceil(Math.max(...levels) / ring);
+    this.top = levels.length === 0 ? 0 : ring * Math.ceil(highestOf(levels) / ring);
     ctx.font = '12px system-ui, "Segoe UI", "Liberation Sans", sans-serif';
     this.drawGrid();
     this.drawRingLabels();
@@ -84,25 +87,27 @@ export class Polar {
 
   drawSeries({ values, stroke, dash, marks }) {
     const { ctx } = this, { angles } = this.what;
-    const steps = angles.slice(1).map((angle, i) => angle - angles[i]).sort((a, b) => a - b);
-    const gap = 1.6 * (steps[steps.length >> 1] ?? 0);
-    const isFull = angles.length > 2 && 360 - (angles.at(-1) - angles[0]) <= gap;
     ctx.save();
-    [ctx.strokeStyle, ctx.lineWidth] = [stroke, 1.8];
+    [ctx.strokeStyle, ctx.fillStyle, ctx.lineWidth] = [stroke, stroke, 1.8];
     ctx.setLineDash(dash);
     ctx.beginPath();
-    let before = null;
-    for (let i = 0; i < angles.length + (isFull ? 1 : 0); i++) {
-      const place = i % angles.length, value = values[place];
-      if (value === null) before = null;
-      else {
-        if (before === null || i < angles.length && angles[i] - before > gap) ctx.moveTo(...this.at(angles[place], value));
-        else ctx.lineTo(...this.at(angles[place], value));
-        before = angles[place];
-      }
-    }
+    const isTurn = isWholeTurn(angles), count = angles.length, level = place => values[isTurn ? (place + count) % count : place] ?? null;
+    for (let i = 0; i < count + (isTurn ? 1 : 0); i++)
+      if (level(i) !== null) ctx[i > 0 && level(i - 1) !== null ? 'lineTo' : 'moveTo'](...this.at(angles[i % count], level(i)));
     ctx.stroke();
+    angles.forEach((angle, i) => {
+      if (level(i) === null || level(i - 1) !== null || level(i + 1) !== null) return;
+      ctx.beginPath();
+      ctx.arc(...this.at(angle, level(i)), 2.5, 0, 2 * Math.PI);
+      ctx.fill();
+    });
     ctx.setLineDash([]);
+    this.drawMarks(values, marks);
+    ctx.restore();
+  }
+
+  drawMarks(values, marks) {
+    const { ctx } = this, { angles } = this.what;
     for (const mark of marks)
       angles.forEach((angle, i) => {
         if (values[i] === null || !mark.holds(i)) return;
@@ -115,7 +120,6 @@ export class Polar {
         } else ctx.rect(x - 4, y - 4, 8, 8);
         ctx.stroke();
       });
-    ctx.restore();
   }
 
   drawMarked() {

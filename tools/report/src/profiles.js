@@ -1,14 +1,14 @@
 // Range profiles: that of the chosen direction, and those of its line as a waterfall.
-import { byId, bytes, make, number } from './text.js';
-import { dash, draw, stroke } from './charts.js';
+import { byId, highestOf, levelText, levelsFrom, make, number } from './text.js';
+import { dash, draw, maxSpan, pointsOf, stroke } from './charts.js';
 import { Heat, span } from './heat.js';
 import { theme } from './palette.js';
 
 export class Profiles {
   /** @param {object} echo start, step and cells of the range; polarisations; quantities: unit and levels, hundredths of a decibel by row, polarisation and cell. */
-  constructor(echo, poses, maxSpan) {
-    [this.echo, this.poses, this.maxSpan] = [echo, poses, maxSpan];
-    this.levels = echo.quantities.map(({ levels }) => new Int16Array(bytes(levels).buffer));
+  constructor(echo, poses) {
+    [this.echo, this.poses] = [echo, poses];
+    this.levels = echo.quantities.map(({ levels }) => levelsFrom(levels));
     this.ranges = Array.from({ length: echo.cells }, (_, cell) => echo.start + cell * echo.step);
     echo.quantities.forEach(({ unit }, i) => byId('profile-unit').append(make('option', unit, { value: i })));
     echo.polarisations.forEach((name, i) => byId('waterfall-polarisation').append(make('option', name.toUpperCase(), { value: i })));
@@ -16,7 +16,7 @@ export class Profiles {
     byId('profile-text').textContent = `Range is half of the path out and back: 0 at the phase centre, positive away from the radar. Echoes outside the unambiguous range of ${number(echo.unambiguous, 4)} m are folded into it. The window is ${echo.window}: the peak of a point is its ${echo.quantities.length > 1 ? 'cross section or received power' : 'cross section'}.${echo.group > 1 ? ` Of ${number(echo.group)} neighbouring cells the highest is shown.` : ''}`;
     this.canvas = byId('waterfall');
     this.heat = new Heat(this.canvas, byId('waterfall-legend'), echo);
-    if (poses.rows.length < 2) {
+    if (poses.x.values.length < 2) {
       byId('waterfall-part').remove();
       return;
     }
@@ -29,7 +29,7 @@ export class Profiles {
 
   level(row, polarisation, cell) {
     const { polarisations, cells } = this.echo;
-    return this.levels[Number(byId('profile-unit').value)][(row * polarisations.length + polarisation) * cells + cell] / 100;
+    return this.levels[Number(byId('profile-unit').value)]((row * polarisations.length + polarisation) * cells + cell);
   }
 
   // Of profiles, in their unit.
@@ -40,22 +40,28 @@ export class Profiles {
 
   draw() {
     const { echo, poses } = this, row = poses.chosen, x = { label: 'range, m', values: this.ranges };
-    const series = echo.polarisations.map((name, i) => ({ label: name.toUpperCase(), values: this.ranges.map((_, cell) => this.level(row, i, cell)), stroke: stroke(i), dash: dash(2 * i), points: { show: false } }));
+    const series = echo.polarisations.map((name, i) => {
+      const values = this.ranges.map((_, cell) => this.level(row, i, cell));
+      return { label: name.toUpperCase(), values, stroke: stroke(i), dash: dash(2 * i), points: pointsOf(values, stroke(i), 0) };
+    });
     const detected = this.detected(row);
-    if (detected.length > 0) series.push({ label: 'detected', values: this.ranges.map((_, cell) => Math.max(...detected.filter(({ range }) => Math.round((range - echo.start) / echo.step) === cell).map(({ level }) => level))).map(level => level === -Infinity ? null : level), stroke: theme('--text'), width: 0, points: { show: true, size: 9, width: 1.5, fill: 'transparent' } });
-    const [highest, cell] = series[0].values.reduce((best, level, place) => level > best[0] ? [level, place] : best, [-Infinity, 0]);
+    if (detected.length > 0) series.push({ label: 'detected', values: this.ranges.map((_, cell) => highestOf(detected.filter(({ range }) => Math.round((range - echo.start) / echo.step) === cell).map(({ level }) => level))).map(level => level === -Infinity ? null : level), stroke: theme('--text'), width: 0, points: { show: true, size: 9, width: 1.5, fill: 'transparent' } });
+    const levels = series[0].values, highest = highestOf(levels.filter(level => level !== null)), place = highest === -Infinity ? '' : ` at ${number(this.ranges[levels.indexOf(highest)], 4)} m`;
     draw(byId('profile'), {
-      x, series, yLabel: `echo, ${this.unit}`, maxSpan: this.maxSpan, height: 360,
-      description: `Range profile of ${poses.name(poses.rows[row])} in ${this.unit}; the highest echo in ${series[0].label} is ${number(highest, 4)} ${this.unit} at ${number(this.ranges[cell], 4)} m.`
+      x, series, yLabel: `echo, ${this.unit}`, maxSpan, height: 360,
+      description: `Range profile of ${poses.name(poses.rows[row])} in ${this.unit}; the highest echo in ${series[0].label}: ${levelText(highest, this.unit)}${place}.`
     });
     if (this.canvas.isConnected) this.drawWaterfall();
   }
 
   drawWaterfall() {
     const { heat, poses, canvas } = this, polarisation = Number(byId('waterfall-polarisation').value);
-    if (!heat.begin()) return;
+    if (!heat.begin(poses.x.values)) return;
     // A band of colours for each direction of the line.
-    const rows = poses.line.map(row => row === null ? null : heat.pixelsOf(cell => this.level(poses.rows.indexOf(row), polarisation, cell)));
+    const rows = poses.line.map(row => {
+      const direction = poses.numberOf(row);
+      return direction < 0 ? null : heat.pixelsOf(cell => this.level(direction, polarisation, cell));
+    });
     this.top = heat.paint(rows, index => this.band(index));
     heat.drawAxes(poses.x.label, poses.x.values.map((value, index) => [value, this.band(index).reduce((low, high) => (low + high) / 2)]));
     this.drawChosen();
@@ -72,8 +78,8 @@ export class Profiles {
   }
 
   drawChosen() {
-    const { poses, heat: { ctx, left, width } } = this, index = poses.line.indexOf(poses.rows[poses.chosen]);
-    const [low, high] = this.band(index), y = (low + high) / 2;
+    const { poses, heat: { ctx, left, width } } = this;
+    const [low, high] = this.band(poses.place), y = (low + high) / 2;
     ctx.fillStyle = theme('--text');
     for (const [x, side] of [[left, 1], [left + width, -1]]) {
       ctx.beginPath();
@@ -95,6 +101,6 @@ export class Profiles {
 
   read(event) {
     const at = this.at(event), { poses } = this;
-    byId('waterfall-readout').textContent = at === null ? '\u00a0' : `${poses.name(poses.line[at.index])}, range ${number(this.ranges[at.cell], 4)} m: ${number(this.level(poses.at(at.index), Number(byId('waterfall-polarisation').value), at.cell), 4)} ${this.unit}`;
+    byId('waterfall-readout').textContent = at === null ? '\u00a0' : `${poses.name(poses.line[at.index])}, range ${number(this.ranges[at.cell], 4)} m: ${levelText(this.level(poses.at(at.index), Number(byId('waterfall-polarisation').value), at.cell), this.unit)}`;
   }
 }

@@ -1,5 +1,5 @@
 // The report of cross sections.
-import { byId, make, number, plural, seconds } from './text.js';
+import { byId, highestOf, levelText, make, number, plural, seconds } from './text.js';
 import { chooseRow } from './rows.js';
 import { Contributions } from './contributions.js';
 import { Maps } from './doppler.js';
@@ -9,13 +9,12 @@ import { Polar } from './polar.js';
 import { Poses } from './poses.js';
 import { Profiles } from './profiles.js';
 import { PoseTable } from './table.js';
-import { dash, diamonds, draw, squares, stroke } from './charts.js';
+import { dash, diamonds, draw, edgeOf, maxSpan, pointsOf, squares, stroke } from './charts.js';
 import { settingsTable, showFacts } from './settings.js';
 import { theme } from './palette.js';
+import { openView } from './view.js';
 
 const polarisations = ['vv', 'hh', 'hv', 'vh'];
-// Nulls have no end in decibels.
-const maxSpan = 70;
 
 // The directions before the frequency: the last one that varies is that of the charts.
 const axes = [
@@ -40,25 +39,25 @@ export function showCrossSections(data) {
   const strongest = strongestRow();
   poses.chosen = Math.max(0, scene?.pose ?? strongest);
   head(strongest);
-  new PoseTable(poses, columns, echo ? 'profile.csv' : 'rcs.csv');
+  new PoseTable(poses, columns, echo ? 'direction' : 'row', echo ? 'profile.csv' : 'rcs.csv');
   settingsTable(run, poses);
   byId('settings-note').hidden = true;
   errors();
   chooseRow(poses, 'others', row => `${present.map(name => `${name.toUpperCase()} ${number(row[`${name}_dbsm`], 4)}`).join(', ')} dBsm, error ${number(row.integration_error_db, 2)} dB`);
-  charts = echo ? [new Profiles(echo, poses, maxSpan)] : [];
-  if (echo?.doppler) charts.push(new Maps(echo, poses, maxSpan));
+  charts = echo ? [new Profiles(echo, poses)] : [];
+  if (echo?.doppler) charts.push(new Maps(echo, poses));
   else byId('doppler-section')?.remove();
   if (echo?.image) charts.push(new IsarImage(echo, scene));
   else byId('image-section')?.remove();
   if (echo) nameForEcho();
   if (echo && poses.rows.length === 1) byId('levels-section').remove();
   else charts.push(new Levels());
-  if (run.rows.some(row => row.contributions)) charts.push(new Contributions(run, poses, present, maxSpan));
+  if (run.rows.some(row => row.contributions)) charts.push(new Contributions(run, poses, present));
   else byId('parts-section').remove();
   const paint = () => charts.forEach(chart => chart.draw());
   paint();
-  showScene(data);
   poses.onChange(paint);
+  showScene(data);
   return paint;
 }
 
@@ -71,23 +70,23 @@ function nameForEcho() {
 const levelsOf = row => present.map(name => row[`${name}_dbsm`]).filter(level => typeof level === 'number');
 
 function strongestRow() {
-  const level = row => Math.max(-Infinity, ...levelsOf(row));
+  const level = row => highestOf(levelsOf(row));
   return run.rows.reduce((best, row, i) => best < 0 || level(row) > level(run.rows[best]) ? i : best, -1);
 }
 
 function head(strongest) {
   const plan = poses.plan === '' ? '' : ` (${poses.plan})`;
-  byId('lead').textContent = `${echo?.image ? `An ISAR image of ${plural(poses.rows.length, 'azimuth')}` : echo ? `Range profiles in ${plural(poses.rows.length, 'direction')}` : `Cross sections in ${plural(poses.rows.length, 'row')}`}${plan}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
+  byId('lead').textContent = `${echo?.image ? `An ISAR image of ${plural(poses.rows.length, poses.isTrack ? 'direction' : 'azimuth')}` : echo ? `Range profiles in ${plural(poses.rows.length, 'direction')}` : `Cross sections in ${plural(poses.rows.length, 'row')}`}${plan}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
   const unmet = run.rows.filter(row => row.tolerance_met === 0).length, outside = run.rows.filter(row => row.outside_physical_optics === 1).length;
   byId('warning').hidden = unmet + outside === 0;
   byId('warning').textContent = [
     unmet > 0 ? `${number(unmet)} of ${plural(run.rows.length, 'row')} did not meet the tolerance of ${number(run.settings.tolerance?.value)} dB (squares).` : '',
     outside > 0 ? `${number(outside)} of ${plural(run.rows.length, 'row')} lie outside physical optics: radar and receiver are too far apart (diamonds).` : ''
   ].filter(text => text).join(' ');
-  const best = run.rows[strongest];
+  const best = run.rows[strongest], levels = best ? levelsOf(best) : [];
   showFacts([
     [echo ? 'Directions' : 'Rows', number(run.rows.length)],
-    [best ? `${echo ? 'Highest echo' : 'Largest cross section'}, ${poses.name(best)}` : 'Cross section', best ? `${number(Math.max(...levelsOf(best)), 4)} dBsm` : '-'],
+    [`${echo ? 'Highest echo' : 'Largest cross section'}${levels.length > 0 ? `, ${poses.name(best)}` : ''}`, levelText(highestOf(levels), 'dBsm')],
     ['Tolerance', `${number(run.settings.tolerance?.value)} dB`],
     ...echo ? [['Bandwidth', `${number(run.settings.bandwidth?.value / 1e6)} MHz`], ['Range bin', `${number(run.settings.range_resolution?.value, 4)} m`]] : [],
     [echo ? 'Middle of the band' : 'Frequency', poses.span('frequency_hz') ?? (best ? `${number(best.frequency_hz / 1e9)} GHz` : '-')],
@@ -124,10 +123,10 @@ class Levels {
     present.forEach((name, i) => {
       if (!this.ticks[i].checked) return;
       const values = line.map(row => row?.[`${name}_dbsm`] ?? null), label = name.toUpperCase();
-      const edge = sign => line.map(row => row && edgeOf(row, name, sign));
+      const edge = sign => values.map((value, place) => value === null ? null : edgeOf(10 ** (value / 20), sign * line[place].integration_error_m));
       for (const sign of [1, -1]) curves.push({ label: ' ', values: edge(sign), width: 0, stroke: stroke(i), points: { show: false } });
       bands.push({ series: [curves.length - 1, curves.length], fill: theme('--band') });
-      curves.push({ label, values, stroke: stroke(i), dash: dash(2 * i), points: { show: x.values.length <= 60, size: 5, fill: stroke(i) } });
+      curves.push({ label, values, stroke: stroke(i), dash: dash(2 * i), points: pointsOf(values, stroke(i), 60) });
       for (const [holds, words, paths] of marks)
         curves.push({
           label: curves.some(curve => curve.label === words) ? ' ' : words, values: values.map((value, place) => holds(line[place]) ? value : null), stroke: theme('--mark'), paths: () => null,
@@ -145,14 +144,6 @@ class Levels {
   }
 }
 
-// A level with its amplitude larger or smaller by the error; a band down to nothing ends far below.
-function edgeOf(row, name, sign) {
-  const level = row[`${name}_dbsm`];
-  if (typeof level !== 'number') return null;
-  const amplitude = 10 ** (level / 20) + sign * row.integration_error_m;
-  return amplitude > 0 ? 20 * Math.log10(amplitude) : level - maxSpan;
-}
-
 function showScene({ scene, no_scene: problem }) {
   byId('view-heading').textContent = echo ? 'The target' : 'Hot spots on the model';
   if (!scene) {
@@ -160,18 +151,13 @@ function showScene({ scene, no_scene: problem }) {
     byId('view-part').hidden = true;
     return;
   }
-  try {
-    new HotSpots(run, scene, poses, present);
-  } catch (error) {
-    byId('view-part').hidden = true;
-    byId('scene-text').textContent += ` The 3-D view needs WebGL, which this browser does not provide: ${error.message}`;
-  }
+  openView(renderer => new HotSpots(run, scene, poses, present, renderer));
 }
 
 function errors() {
   const rows = run.rows.filter(row => typeof row.integration_error_db === 'number');
   if (rows.length === 0) return;
-  const worst = rows.reduce((a, b) => b.integration_error_db > a.integration_error_db ? b : a), coarse = Math.max(...rows.map(row => row.coarse_area_share ?? 0));
+  const worst = rows.reduce((a, b) => b.integration_error_db > a.integration_error_db ? b : a), coarse = highestOf(rows.map(row => row.coarse_area_share ?? 0));
   byId('error-text').textContent = `The standard error of the integration is ${number(worst.integration_error_db, 3)} dB at most, of VV or HH (${poses.name(worst)}); ${number(rows.filter(row => row.tolerance_met === 1).length)} of ${plural(rows.length, 'row')} met the tolerance of ${number(run.settings.tolerance?.value)} dB. `
     + `It is not the error of physical optics, which knows no creeping waves, no double diffraction and no tips.${coarse > 0 ? ` On ${number(100 * coarse, 3)} % of the area the facets are too coarse for the highest frequency.` : ''}`;
 }

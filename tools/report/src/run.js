@@ -4,7 +4,7 @@ import { Picture } from './picture.js';
 import { Poses } from './poses.js';
 import { PoseTable } from './table.js';
 import { SweepCharts } from './sweep.js';
-import { View } from './view.js';
+import { View, openView } from './view.js';
 import { drawPhases } from './phase.js';
 import { fillTable, settingsTable, showFacts } from './settings.js';
 
@@ -20,7 +20,7 @@ export function showRun(report) {
   poses.chosen = Math.max(0, scene?.pose ?? strongest);
   head();
   charts = new SweepCharts(poses, columns);
-  new PoseTable(poses, columns, 'results.csv');
+  new PoseTable(poses, columns, 'pose', 'results.csv');
   settingsTable(run, poses);
   timings();
   errors();
@@ -99,12 +99,7 @@ function showScene() {
   if (scene.picture) new Picture(scene.picture, what);
   else byId('picture-section').hidden = true;
   byId('view').setAttribute('aria-label', `The scene in 3-D with ${plural(scene.paths.counts.length, 'ray')}.`);
-  try {
-    new View(scene);
-  } catch (problem) {
-    byId('view-part').hidden = true;
-    byId('scene-text').textContent += ` The 3-D view needs WebGL, which this browser does not provide: ${problem.message}`;
-  }
+  openView(renderer => new View(scene, renderer));
 }
 
 function timings() {

@@ -44,7 +44,10 @@ class Ppi {
 
   listen() {
     const { canvas } = this;
-    canvas.addEventListener('wheel', event => { event.preventDefault(); this.zoom(2 ** (-event.deltaY / 300), this.placeOf(event)); }, { passive: false });
+    // The wheel scrolls the page until the picture has the focus, and where there is nothing to zoom.
+    canvas.addEventListener('wheel', event => {
+      if (document.activeElement === canvas && this.zoom(2 ** (-event.deltaY / 300), this.placeOf(event))) event.preventDefault();
+    }, { passive: false });
     canvas.addEventListener('pointerdown', event => canvas.setPointerCapture(event.pointerId));
     canvas.addEventListener('pointermove', event => {
       if (event.buttons === 1) this.move(-event.movementX * this.metresAPixel, event.movementY * this.metresAPixel);
@@ -52,7 +55,7 @@ class Ppi {
     });
     canvas.addEventListener('keydown', event => {
       const step = 40 * this.metresAPixel, act = {
-        '+': () => this.zoom(2), '-': () => this.zoom(0.5), Home: () => { this.whole(); this.draw(); },
+        '+': () => this.zoom(2), '=': () => this.zoom(2), '-': () => this.zoom(0.5), Home: () => { this.whole(); this.draw(); },
         ArrowLeft: () => this.move(-step, 0), ArrowRight: () => this.move(step, 0), ArrowUp: () => this.move(0, step), ArrowDown: () => this.move(0, -step)
       }[event.key];
       if (!act) return;
@@ -72,11 +75,13 @@ class Ppi {
     return [this.east + (event.clientX - box.left) * this.metresAPixel - this.half, this.north + this.half - (event.clientY - box.top) * this.metresAPixel];
   }
 
-  // The place under the mouse stays where it is.
+  // The place under the mouse stays where it is. Returns whether there was anything to zoom.
   zoom(factor, [east, north] = [this.east, this.north]) {
     const { range_scale: scale } = this.screen, half = Math.min(scale, Math.max(scale / mostZoom, this.half / factor)), part = half / this.half;
+    if (part === 1) return false;
     [this.east, this.north, this.half] = [east + part * (this.east - east), north + part * (this.north - north), half];
     this.move(0, 0);
+    return true;
   }
 
   // The middle stays where there are cells.

@@ -1,7 +1,9 @@
 // The charts over the poses of a sweep.
-import { byId, make, number } from './text.js';
-import { dash, draw, squares, stroke } from './charts.js';
+import { byId, highestOf, lowestOf, make, number } from './text.js';
+import { dash, decibels, draw, edgeOf, pointsOf, squares, stroke } from './charts.js';
 import { theme } from './palette.js';
+
+const curve = (label, values, i) => ({ label, values, stroke: stroke(i), dash: dash(i), points: pointsOf(values, stroke(i), 120) });
 
 export class SweepCharts {
   /** @param {object} poses Poses. @param {object} columns by name. */
@@ -33,20 +35,19 @@ export class SweepCharts {
 
   drawAmplitude() {
     const inDecibels = byId('decibels').checked;
-    const level = value => !inDecibels ? value : value > 0 ? 20 * Math.log10(value) : null;
+    const level = value => inDecibels ? decibels(value) : value;
     const series = [], bands = [];
     const { groups, x } = this.poses;
     const { error } = this.columns.amplitude_normalised;
     if (groups.length === 1 && this.poses.rows.some(row => typeof row[error] === 'number')) {
-      const edge = sign => groups[0][1].map(row => row ? level(Math.max(0, row.amplitude_normalised + sign * row[error])) ?? level(row.amplitude_normalised) : null);
+      const edgeIn = inDecibels ? edgeOf : (amplitude, error) => Math.max(0, amplitude + error);
+      const edge = sign => groups[0][1].map(row => row ? edgeIn(row.amplitude_normalised, sign * row[error]) : null);
       series.push({ label: ' ', values: edge(1), width: 0.5, stroke: theme('--accent'), points: { show: false } });
-      series.push({ label: ' ', values: edge(-1), width: 0.5, stroke: theme('--accent'), points: { show: false } });
+      // The scale need not hold a band down to nothing.
+      series.push({ label: ' ', values: edge(-1), width: 0.5, stroke: theme('--accent'), points: { show: false }, auto: false });
       bands.push({ series: [1, 2], fill: theme('--band') });
     }
-    groups.forEach(([name, rows], i) => series.push({
-      label: name || 'amplitude', values: rows.map(row => row ? level(row.amplitude_normalised) : null),
-      stroke: stroke(i), dash: dash(i), points: { show: x.values.length <= 120, size: 5, fill: stroke(i) }
-    }));
+    groups.forEach(([name, rows], i) => series.push(curve(name || 'amplitude', rows.map(row => row ? level(row.amplitude_normalised) : null), i)));
     if (this.poses.rows.some(row => row.undersampled === 1))
       groups.forEach(([, rows], i) => series.push({
         label: i === 0 ? 'not to be trusted' : ' ', values: rows.map(row => row?.undersampled === 1 ? level(row.amplitude_normalised) : null), stroke: theme('--mark'), paths: () => null,
@@ -59,12 +60,10 @@ export class SweepCharts {
 
   drawOther(name) {
     const { title, unit } = this.columns[name];
-    const series = this.poses.groups.map(([group, rows], i) => ({
-      label: group || title, values: rows.map(row => row?.[name] ?? null), stroke: stroke(i), dash: dash(i), points: { show: this.poses.x.values.length <= 120, size: 5, fill: stroke(i) }
-    }));
+    const series = this.poses.groups.map(([group, rows], i) => curve(group || title, rows.map(row => row?.[name] ?? null), i));
     const values = this.poses.rows.map(row => row[name]).filter(value => typeof value === 'number');
     return this.chart('other', series, title + (unit === '1' ? '' : `, ${unit}`), [],
-      `${title} over ${this.poses.x.label}, from ${number(Math.min(...values))} to ${number(Math.max(...values))}. The table below has the figures.`, values.every(value => value >= 0));
+      `${title} over ${this.poses.x.label}, from ${number(lowestOf(values))} to ${number(highestOf(values))}. The table below has the figures.`, values.every(value => value >= 0));
   }
 
   chart(id, series, yLabel, bands, description, fromZero) {

@@ -7,7 +7,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { byId, bytes, make, number, plural } from './text.js';
+import { byId, bytes, lineSample, make, number, plural } from './text.js';
 import { ofSegment } from './palette.js';
 
 const drawnAtFirst = 120;
@@ -25,12 +25,25 @@ export function cornersOf(scene) {
 /** From Unity's axes to three's. */
 export const flip = (x, y, z) => new Vector3(x, y, -z);
 
+/** Opens the 3-D view, or says why there is none. @param {(renderer: WebGLRenderer) => void} open */
+export function openView(open) {
+  let renderer;
+  try {
+    renderer = new WebGLRenderer({ canvas: byId('view'), antialias: true, preserveDrawingBuffer: true });
+  } catch (problem) {
+    byId('view-part').hidden = true;
+    byId('scene-text').textContent += ` The 3-D view needs WebGL, which this browser does not provide: ${problem.message}`;
+    return;
+  }
+  open(renderer);
+}
+
 export class View {
   /** @param {object} scene of the report's data. */
-  constructor(scene) {
+  constructor(scene, renderer) {
     this.scene = scene;
-    this.canvas = byId('view');
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = renderer;
+    this.canvas = renderer.domElement;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.camera = new PerspectiveCamera(45, 1, 0.1, 1000);
     this.space = new Scene();
@@ -144,7 +157,7 @@ export class View {
       const label = make('label');
       const tick = make('input', null, { type: 'checkbox', checked: '' });
       tick.addEventListener('change', () => { line.userData.off = !tick.checked; this.update(); });
-      label.append(tick, sample(colour, dash), `${n}: ${n === 1 ? 'from the radar' : `after bounce ${n - 1}`} (${name}, ${pattern})`);
+      label.append(tick, lineSample(colour, dash ?? []), `${n}: ${n === 1 ? 'from the radar' : `after bounce ${n - 1}`} (${name}, ${pattern})`);
       box.append(label);
     }
     box.hidden = this.segmentCount === 0;
@@ -269,13 +282,4 @@ export class View {
     for (const line of this.lines) line.material.dashScale = 1 / pixel;
     this.renderer.render(this.space, this.camera);
   }
-}
-
-function sample(colour, dash) {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('width', 44);
-  svg.setAttribute('height', 14);
-  svg.setAttribute('aria-hidden', 'true');
-  svg.innerHTML = `<path d="M3 7H41" stroke="${colour}" stroke-width="2.5"${dash ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`;
-  return svg;
 }

@@ -47,7 +47,7 @@ namespace Glint.Editor
 
         /// <summary>
         /// The profiles: levels by direction, polarisation and cell in hundredths of a decibel, 16 bits, as base64,
-        /// little-endian.
+        /// little-endian; -32,768: no echo.
         /// </summary>
         public JObject ToJson()
         {
@@ -186,7 +186,9 @@ namespace Glint.Editor
             }
         }
 
-        static short LevelOf(double decibels) =>
-            (short)Math.Max(-short.MaxValue, Math.Min(short.MaxValue, Math.Round(100 * decibels)));
+        // The least value is that of no echo.
+        static short LevelOf(double decibels) => double.IsNegativeInfinity(decibels)
+            ? short.MinValue
+            : (short)Math.Max(-short.MaxValue, Math.Min(short.MaxValue, Math.Round(100 * decibels)));
     }
 }

@@ -184,6 +184,20 @@ public sealed class EchoCommandTests : EchoFixture
         }
     }
 
+    [Test]
+    public void Report_OfAPlateSeenEdgeOn_HasNoEcho()
+    {
+        Run(At("plate.obj"), "--azimuth", "90", "--frequencies", "32", "--edges", "off", "--polarisation", "vv",
+            "--out", At("echo"));
+        var (code, _, error) = TestShell.Run("report", At("echo"), "--pose", "none");
+        Assert.That(code, Is.Zero, error);
+        var data = DataOf("echo/report.html");
+        byte[] levels = Convert.FromBase64String((string)data["echo"]["quantities"][0]["levels"]);
+        Assert.That(Enumerable.Range(0, (int)data["echo"]["cells"]).Select(cell => BitConverter.ToInt16(levels, 2 * cell)),
+            Is.All.EqualTo(short.MinValue));
+        Assert.That(data["run"]["rows"][0]["vv_dbsm"].Type, Is.EqualTo(JTokenType.Null));
+    }
+
     /// <summary>
     /// The phase centre of a scene is the centre of its box. The dihedral's faces of 0.3 m open by 45 degrees to either
     /// side of the radar at azimuth 0: the box is 0.3 / sqrt 2 deep, and its double bounce returns from the edge.
