@@ -14,6 +14,9 @@ namespace Glint.Editor
     {
         public static int Execute(CommandLine line, IProgressSink progress)
         {
+            string folder = line.IsGiven(ScreenOptions.Out) ? Path.GetFullPath(line.Get(ScreenOptions.Out))
+                : RunDescription.DefaultFolder(Path.GetFileNameWithoutExtension(line.Input), ResultTable.Screen);
+            VideoOutput.Check(line, folder);
             LoadedScene.OpenSceneFile(line.Input);
             var screen = SceneSearch.FindOnly<RadarScreen>(line.Input, "radar screen",
                 "RadarScreen (Glint > Radar Screen) to an object of the scene");
@@ -22,8 +25,6 @@ namespace Glint.Editor
                 screen.Kernel = ProjectAssets.ScreenKernel;
             if (screen.SeaKernel == null)
                 screen.SeaKernel = ProjectAssets.SeaKernel;
-            string folder = line.IsGiven(ScreenOptions.Out) ? Path.GetFullPath(line.Get(ScreenOptions.Out))
-                : RunDescription.DefaultFolder(Path.GetFileNameWithoutExtension(line.Input), ResultTable.Screen);
             if (line.Get(ScreenOptions.Detect) is string level)
                 screen.Detection = new ScreenDetection
                 {
@@ -140,6 +141,8 @@ namespace Glint.Editor
     /// <summary>Radar video of each frame, to a file and by UDP.</summary>
     sealed class VideoOutput : IDisposable
     {
+        static readonly string AnotherFile = $"name another file with {ScreenOptions.Asterix.Flag}";
+
         readonly ScreenAsterix _encoder;
         readonly DatagramSender _sender;
         readonly double _start = DateTime.UtcNow.TimeOfDay.TotalSeconds;
@@ -159,14 +162,54 @@ namespace Glint.Editor
             if (path == null)
                 return;
             Paths = new[] { Path.GetFullPath(path) };
-            Try(() =>
+            try
             {
-                Directory.CreateDirectory(Path.GetDirectoryName(Paths[0]));
-                _file = new FileDraft(Paths[0]);
-            });
+                Try(Paths[0], () =>
+                {
+                    Directory.CreateDirectory(Path.GetDirectoryName(Paths[0]));
+                    _file = new FileDraft(Paths[0]);
+                });
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
         }
 
         public string[] Paths { get; private set; } = new string[0];
+
+        /// <summary>Refuses a place where no recording can be, before any work.</summary>
+        /// <param name="folder">The results folder.</param>
+        /// <exception cref="GlintException">
+        /// The path is a folder or one of the results, or a file that is no recording is there.
+        /// </exception>
+        public static void Check(CommandLine line, string folder)
+        {
+            string path = line.Get(ScreenOptions.Asterix);
+            if (path == null)
+                return;
+            if (ScreenFiles.Names.Any(name => Path.GetFullPath(path) == Path.Combine(folder, name)))
+                throw new UsageException($"{ScreenOptions.Asterix.Flag} {path}: is a file of the results: name another one");
+            if (Directory.Exists(path))
+                throw new GlintException(
+                    $"{path}: is a folder: name a file in it with {ScreenOptions.Asterix.Flag}");
+            Try(path, () =>
+            {
+                if (File.Exists(path) && !IsVideo(path))
+                    throw new GlintException($"{path}: is there, and is no radar video that could be replaced: "
+                        + AnotherFile);
+            });
+        }
+
+        // An empty file has nothing to lose, nor has a device or a pipe.
+        static bool IsVideo(string path)
+        {
+            if (new FileInfo(path).Length == 0)
+                return true;
+            using (var file = File.OpenRead(path))
+                return file.ReadByte() == AsterixVideo.Category;
+        }
 
         /// <summary>Writes the spokes of the last frame.</summary>
         public void Add(RadarScreen screen)
@@ -186,18 +229,21 @@ namespace Glint.Editor
         }
 
         /// <summary>The recording is complete: moves it to its place.</summary>
-        public void Finish() => Try(() => _file?.Finish());
+        public void Finish()
+        {
+            if (_file != null)
+                Try(Paths[0], _file.Finish);
+        }
 
-        void Try(Action change)
+        static void Try(string path, Action work)
         {
             try
             {
-                change();
+                work();
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
             {
-                Dispose();
-                throw ScreenFiles.Refusal(Paths[0], error, $"name another file with {ScreenOptions.Asterix.Flag}");
+                throw ScreenFiles.Refusal(path, error, AnotherFile);
             }
         }
 

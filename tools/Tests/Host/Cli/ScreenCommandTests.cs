@@ -197,7 +197,7 @@ public sealed class ScreenCommandTests
         string video = Path.Combine(_folder, "video.ast"), output = Path.Combine(_folder, "taken");
         Directory.CreateDirectory(video);
         var (code, _, error) = TestShell.Run("ppi", _scene, "--asterix", video, "--out", output);
-        Assert.That(error, Does.StartWith($"glint: {video}: cannot be written: ").And.Contain("another file with --asterix"));
+        Assert.That(error.Trim(), Is.EqualTo($"glint: {video}: is a folder: name a file in it with --asterix"));
         Assert.That((code, Directory.Exists(output)), Is.EqualTo((1, false)));
         Directory.CreateDirectory(Path.Combine(output, "picture.png"));
         (code, _, error) = TestShell.Run("ppi", _scene, "--turns", "1", "--fps", "2", "--out", output);
@@ -209,17 +209,42 @@ public sealed class ScreenCommandTests
     public void Recording_OfARunThatIsRefusedOrStopped_IsTheOlderOne()
     {
         string video = Path.Combine(_folder, "video.ast"), rows = Path.Combine(_folder, "results.csv");
-        File.WriteAllText(video, "older");
+        byte[] older = [240, 1, 2, 3];
+        File.WriteAllBytes(video, older);
         File.WriteAllText(rows, "");
         string[] line = [_scene, "--turns", "1", "--fps", "5", "--asterix", video, "--out", _folder];
         var (code, _, error) = TestShell.Run(["ppi", .. line]);
         Assert.That(error, Does.Contain("holds results.csv"));
-        Assert.That((code, File.ReadAllText(video)), Is.EqualTo((1, "older")));
+        Assert.That((code, File.ReadAllBytes(video)), Is.EqualTo((1, older)));
 
         File.Delete(rows);
         Assert.That(Batch.Execute(CommandLine.Parse(Commands.Ppi, line), new CancelAfter(2)), Is.EqualTo(Batch.Cancelled));
         Assert.That(Directory.GetFiles(_folder), Is.EqualTo(new[] { video }));
-        Assert.That(File.ReadAllText(video), Is.EqualTo("older"));
+        Assert.That(File.ReadAllBytes(video), Is.EqualTo(older));
+    }
+
+    [Test]
+    public void Recording_InPlaceOfTheScene_OrOfAnotherFile_IsRefusedBeforeWork()
+    {
+        string scene = File.ReadAllText(_scene), output = Path.Combine(_folder, "none");
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--asterix", _scene, "--out", output);
+        Assert.That((code, error.Trim()), Is.EqualTo((1, $"glint: {_scene}: is there, and is no radar video that could be "
+            + "replaced: name another file with --asterix")));
+        Assert.That((File.ReadAllText(_scene), Directory.Exists(output)), Is.EqualTo((scene, false)));
+    }
+
+    [TestCase("picture.png")]
+    [TestCase("results.json")]
+    [TestCase("video.npz")]
+    [TestCase("video.csv")]
+    [TestCase("detections.csv")]
+    public void Recording_InPlaceOfAFileOfTheResults_IsRefused(string name)
+    {
+        string path = Path.Combine(_folder, name);
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--asterix", path, "--out", _folder);
+        Assert.That((code, error.Trim()), Is.EqualTo((2, $"glint: --asterix {path}: is a file of the results: name "
+            + "another one (see glint ppi --help)")));
+        Assert.That(Directory.GetFiles(_folder), Is.Empty);
     }
 
     [Test]
