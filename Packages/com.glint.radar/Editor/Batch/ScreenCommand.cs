@@ -6,12 +6,16 @@ using System.Linq;
 using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
+using Debug = UnityEngine.Debug;
 
 namespace Glint.Editor
 {
     /// <summary><c>glint ppi</c>: turns of the radar screen of a scene, frame by frame.</summary>
     static class ScreenCommand
     {
+        // Time of a stream in that of the scene.
+        const double MaxDelay = 1.1;
+
         public static int Execute(CommandLine line, IProgressSink progress)
         {
             string folder = line.IsGiven(ScreenOptions.Out) ? Path.GetFullPath(line.Get(ScreenOptions.Out))
@@ -99,7 +103,17 @@ namespace Glint.Editor
             }
             progress.Print(FormattableString.Invariant(
                 $"{turns} {(turns == 1 ? "turn" : "turns")} in {watch.Elapsed.TotalSeconds:0.0} s, {frames} frames; main thread {play.MedianMilliseconds:0.000} ms a frame for the radar (median)"));
+            if (line.IsGiven(ScreenOptions.Udp))
+                WarnOfDelay(line.Input, watch.Elapsed.TotalSeconds, (double)frames / rate);
             return Batch.Done;
+        }
+
+        // A frame that is late is made up for by the next ones.
+        static void WarnOfDelay(string name, double seconds, double expected)
+        {
+            if (seconds > MaxDelay * expected)
+                Debug.LogWarning(FormattableString.Invariant(
+                    $"{name}: the stream was not in real time: it took {seconds:0.00} s instead of {expected:0.00} s; use a faster device, fewer spokes or cells, or fewer frames a second ({ScreenOptions.FrameRate.Flag})"));
         }
 
         static void Wait(double seconds)

@@ -178,7 +178,18 @@ public sealed class ScreenCommandTests
         Assert.That((message.Index, message.Cells.Length), Is.EqualTo((0, 100)));
     }
 
+    [Test]
+    public void Stream_ThatIsSlowerThanTheClock_IsWarnedOf()
+    {
+        Write("    TurnsAMinute: 24", "    TurnsAMinute: 240");
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--turns", "1", "--fps", "1000", "--udp", "40000", "--out",
+            _folder);
+        Assert.That(code, Is.Zero, error);
+        Assert.That(error, Does.Match(@"unity: the stream was not in real time: it took \d+\.\d\d s instead of 0\.25 s; "));
+    }
+
     [TestCase(2, "--udp host:0: give a port from 1 to 65535, or host and port", "--udp", "host:0")]
+    [TestCase(1, "UDP: cannot send to 0.0.0.0:4378 (", "--udp", "0.0.0.0:4378")]
     [TestCase(2, "--ttl", "--ttl", "3")]
     [TestCase(2, "--detect go: must be one of ca, os", "--detect", "go")]
     [TestCase(2, "--false-alarm: needs --detect CFAR", "--false-alarm", "1e-3")]
