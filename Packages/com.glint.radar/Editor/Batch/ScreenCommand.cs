@@ -103,18 +103,18 @@ namespace Glint.Editor
             }
             progress.Print(FormattableString.Invariant(
                 $"{turns} {(turns == 1 ? "turn" : "turns")} in {watch.Elapsed.TotalSeconds:0.0} s, {frames} frames; main thread {play.MedianMilliseconds:0.000} ms a frame for the radar (median)"));
-            if (line.IsGiven(ScreenOptions.Udp))
-                WarnOfDelay(line.Input, watch.Elapsed.TotalSeconds, (double)frames / rate);
+            if (line.IsGiven(ScreenOptions.Udp)
+                && WarningOfDelay(line.Input, watch.Elapsed.TotalSeconds, (double)frames / rate) is string warning)
+                Debug.LogWarning(warning);
             return Batch.Done;
         }
 
-        // A frame that is late is made up for by the next ones.
-        static void WarnOfDelay(string name, double seconds, double expected)
-        {
-            if (seconds > MaxDelay * expected)
-                Debug.LogWarning(FormattableString.Invariant(
-                    $"{name}: the stream was not in real time: it took {seconds:0.00} s instead of {expected:0.00} s; use a faster device, fewer spokes or cells, or fewer frames a second ({ScreenOptions.FrameRate.Flag})"));
-        }
+        /// <summary>The warning of a stream that was not in real time; null if it was.</summary>
+        /// <param name="seconds">Time that it took: a frame that is late is made up for by the next ones.</param>
+        /// <param name="expected">Time that it has in the scene.</param>
+        internal static string WarningOfDelay(string name, double seconds, double expected) =>
+            seconds <= MaxDelay * expected ? null : FormattableString.Invariant(
+                $"{name}: the stream was not in real time: it took {seconds:0.00} s instead of {expected:0.00} s; use a faster device, fewer spokes or cells, or fewer frames a second ({ScreenOptions.FrameRate.Flag})");
 
         static void Wait(double seconds)
         {
