@@ -1,4 +1,6 @@
+using System.Threading;
 using Glint.Host;
+using Glint.Vulkan;
 
 namespace Glint.Cli;
 
@@ -6,9 +8,16 @@ static class Program
 {
     static int Main(string[] arguments)
     {
+        var terminal = new Terminal();
+        int reports = 0;
+        ComputeProgram.Compiling += device =>
+        {
+            if (Interlocked.Increment(ref reports) == 1)
+                terminal.Report($"compiling kernels for {device.Name}: the first run on a device takes longer");
+        };
         try
         {
-            return new Shell(new Terminal()).Run(arguments);
+            return new Shell(terminal).Run(arguments);
         }
         finally
         {

@@ -11,6 +11,9 @@ public sealed unsafe class ComputeProgram : IDisposable
     /// <summary>Constant buffers of a kernel that every device takes at moving offsets.</summary>
     const int MaxBlocks = 8;
 
+    /// <summary>Raised, on any thread, before a kernel is compiled that no run before has compiled.</summary>
+    public static event Action<DeviceInfo> Compiling;
+
     readonly VulkanDevice _device;
     readonly Reflection _reflection;
     readonly PipelineCacheFile _cacheFile;
@@ -197,11 +200,14 @@ public sealed unsafe class ComputeProgram : IDisposable
             ulong cache = CreateCache();
             try
             {
+                if (!_cacheFile.IsKnown)
+                    Compiling?.Invoke(_device.Info);
                 VulkanException.Check(
                     Native.vkCreateComputePipelines(_device.Handle, cache, 1, &info, null, out ulong pipeline),
                     $"compile kernel {Name} on {_device.Info.Name}");
                 if (cache != 0)
                     SaveCache(cache);
+                _cacheFile.Mark();
                 return pipeline;
             }
             finally

@@ -57,8 +57,8 @@ sealed unsafe class Instance : IDisposable
     }
 
     /// <summary>
-    /// The preferred device if <paramref name="selector"/> is null or empty; else the device with that index or part
-    /// of a name.
+    /// The preferred device if <paramref name="selector"/> is null or empty; else the device with that index, or that
+    /// part of a name, which has more than digits.
     /// </summary>
     internal PhysicalDevice Select(string selector)
     {
@@ -70,7 +70,10 @@ sealed unsafe class Instance : IDisposable
 
         if (int.TryParse(selector, out int index) && index >= 0 && index < Devices.Count)
             return Devices[index];
-        return ranked.FirstOrDefault(device => device.Info.Name.Contains(selector, StringComparison.OrdinalIgnoreCase))
+        // Names have numbers too, such as those of versions.
+        bool isNumber = selector.All(char.IsAsciiDigit);
+        return ranked.FirstOrDefault(device => !isNumber
+                && device.Info.Name.Contains(selector, StringComparison.OrdinalIgnoreCase))
             ?? throw new VulkanException($"no Vulkan device \"{selector}\"; choose an index or a part of a name of: "
                 + string.Join(", ",
                     Devices.Select(device => $"{device.Info.Index} {device.Info.Name} ({device.Info.Type})")));

@@ -15,6 +15,9 @@ sealed class PipelineCacheFile
     /// <summary>Bytes of the header that begins the data of every driver: VkPipelineCacheHeaderVersionOne.</summary>
     internal const int HeaderBytes = 32;
 
+    /// <summary>Ends the name of an empty file: the driver keeps elsewhere what it compiled, if it keeps it.</summary>
+    internal const string MarkExtension = ".compiled";
+
     const uint HeaderVersionOne = 1;
 
     readonly string _folder, _name;
@@ -39,6 +42,11 @@ sealed class PipelineCacheFile
 
     /// <summary>Whether the file is there; it may be damaged.</summary>
     internal bool Exists => File.Exists(FilePath);
+
+    /// <summary>Whether a run has compiled the kernel: there is the file, or the mark in its place.</summary>
+    internal bool IsKnown => Exists || File.Exists(MarkPath);
+
+    string MarkPath => FilePath + MarkExtension;
 
     /// <summary>The header of a device's data.</summary>
     /// <param name="uuid">The device's pipelineCacheUUID, 16 bytes.</param>
@@ -88,6 +96,21 @@ sealed class PipelineCacheFile
             {
                 File.Delete(temporary);
             }
+        }
+        catch (Exception error) when (error is IOException or UnauthorizedAccessException)
+        {
+        }
+    }
+
+    /// <summary>Notes that the driver has the kernel, if no file says so. A folder that cannot be written is no error.</summary>
+    internal void Mark()
+    {
+        if (_folder == null || IsKnown)
+            return;
+        try
+        {
+            Directory.CreateDirectory(_folder);
+            File.WriteAllBytes(MarkPath, []);
         }
         catch (Exception error) when (error is IOException or UnauthorizedAccessException)
         {

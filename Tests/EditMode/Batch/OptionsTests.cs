@@ -91,6 +91,7 @@ namespace Glint.Tests
         [TestCase("aperture", "1x0", "--aperture 1x0: each number must be from 1e-6 to 1e6")]
         [TestCase("size", "1920", "--size 1920: must be ACROSSxDOWN, two whole numbers, such as 1920x1080")]
         [TestCase("size", "1920x", "--size 1920x: must be ACROSSxDOWN, two whole numbers, such as 1920x1080")]
+        [TestCase("tiles", "1", "--tiles 1: must be ACROSSxDOWN, two whole numbers, each from 1 to 100")]
         [TestCase("size", "0x1080", "--size 0x1080: each number must be from 1 to 524280")]
         [TestCase("size", "1920x-1", "--size 1920x-1: each number must be from 1 to 524280")]
         [TestCase("receiver", "-3", "--receiver -3: each number must be from 1e-6 to 1e6")]

@@ -53,6 +53,8 @@ namespace Glint.Tests
                 "UDP: the multicast TTL is 256, it must be from 0 to 255");
             AssertRefused(() => new DatagramSender(4000, "::1"),
                 "UDP: the host ::1 has no IPv4 address: give another one");
+            Assert.That(() => new DatagramSender(4000, "0.0.0.0"), Throws.TypeOf<GlintException>().With.Message
+                .StartsWith("UDP: cannot send to 0.0.0.0:4000 (").And.Message.EndsWith("): give another host"));
         }
 
         static void AssertRefused(TestDelegate call, string message) =>

@@ -38,7 +38,7 @@ namespace Glint.Tests
         [Test]
         public void Merge_OfAnyNumberOfParts_IsTheUndividedSweep()
         {
-            SampleSweep.Write(_folder.PathOf("whole"), SampleSweep.Identity(), Poses, Poses);
+            SampleSweep.Write(_folder.PathOf("whole"), SampleSweep.Identity(poses: Poses), Poses, Poses);
             for (int count = 1; count <= Poses; count++)
             {
                 string[] parts = Enumerable.Range(1, count).Select(number => Part(number, count)).ToArray();
@@ -59,16 +59,16 @@ namespace Glint.Tests
             AssertRefused("is one of the parts", one, two, three, _folder.PathOf("merged"));
 
             SampleSweep.Write(_folder.PathOf("other"),
-                SampleSweep.Identity("9000000000 Hz", new SweepShard(3, 3)), 3, 3);
+                SampleSweep.Identity("9000000000 Hz", new SweepShard(3, 3), Poses), 3, 3);
             AssertRefused("frequency was \"10000000000 Hz\" and is \"9000000000 Hz\"", one, two,
                 _folder.PathOf("other"));
-            SampleSweep.Write(_folder.PathOf("undivided"), SampleSweep.Identity(), Poses, Poses);
+            SampleSweep.Write(_folder.PathOf("undivided"), SampleSweep.Identity(poses: Poses), Poses, Poses);
             AssertRefused("is not part of a sweep", _folder.PathOf("undivided"));
             SampleSweep.Write(_folder.PathOf("unfinished"),
-                SampleSweep.Identity(shard: new SweepShard(3, 3)), 3, 2, first: 4);
+                SampleSweep.Identity(shard: new SweepShard(3, 3), poses: Poses), 3, 2, first: 4);
             AssertRefused("is not finished: finish it with --resume", one, two, _folder.PathOf("unfinished"));
             SampleSweep.Write(_folder.PathOf("short"),
-                SampleSweep.Identity(shard: new SweepShard(3, 3)), 1, 1, first: 6);
+                SampleSweep.Identity(shard: new SweepShard(3, 3), poses: Poses), 1, 1, first: 6);
             AssertRefused("a file was changed", one, two, _folder.PathOf("short"));
 
             string json = Path.Combine(two, "results.json");
@@ -78,12 +78,46 @@ namespace Glint.Tests
             AssertRefused($"{two}: has no results.json", one, two, three);
         }
 
+        /// <summary>Its plan says how many poses there are: not the rows, of which any part may have lost some.</summary>
+        [Test]
+        public void Merge_OfAPartThatLostARow_NamesThePart()
+        {
+            string one = Part(1, 3), two = Part(2, 3), lost = _folder.PathOf("lost");
+            SampleSweep.Write(lost, SampleSweep.Identity(shard: new SweepShard(3, 3), poses: Poses), 2, 2, first: 4);
+            AssertRefused($"{Path.Combine(lost, "results.json")}: has 2 rows where part 3/3 of 7 poses has 3: a file was "
+                + "changed; trace the part again", one, two, lost);
+        }
+
+        [Test]
+        public void Merge_OfPartsWithoutAPlan_NamesNoneOfThem()
+        {
+            string[] parts = { _folder.PathOf("a"), _folder.PathOf("b") };
+            for (int i = 0; i < 2; i++)
+                SampleSweep.Write(parts[i], new SweepIdentity { Shard = new SweepShard(i + 1, 2) }, 2 - i, 2 - i);
+            AssertRefused($"{parts[0]}, {parts[1]}: have 2, 1 rows, and no sweep of 3 poses has such parts", parts);
+        }
+
+        [Test]
+        public void Merge_OfDifferentCommands_SaysSo()
+        {
+            string one = Part(1, 2), two = _folder.PathOf("rcs");
+            using (var folder = ResultsFolder.Open(two, ResultTable.CrossSection))
+            {
+                var info = SampleRun.Info();
+                info.Sweep = SampleSweep.Identity(shard: new SweepShard(2, 2), poses: Poses);
+                folder.Begin(info.Sweep, SampleSweep.Started);
+                folder.Append(SampleRows.Of(new double[] { 0 }, azimuth => 1, azimuth => 1));
+                folder.Finish(info);
+            }
+            AssertRefused($"{two} holds results of glint rcs and {one} of glint sweep: give the parts of one run", one, two);
+        }
+
         string Part(int number, int count)
         {
             var shard = new SweepShard(number, count);
             string path = _folder.PathOf($"part {number} of {count}");
             int poses = shard.End(Poses) - shard.First(Poses);
-            SampleSweep.Write(path, SampleSweep.Identity(shard: shard), poses, poses, first: shard.First(Poses));
+            SampleSweep.Write(path, SampleSweep.Identity(shard: shard, poses: Poses), poses, poses, first: shard.First(Poses));
             return path;
         }
 

@@ -87,6 +87,24 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Difference_OfLongTexts_IsWhereTheyDiffer()
+        {
+            string List(int count, int changed = -1) =>
+                string.Join(",", Enumerable.Range(0, count).Select(i => i == changed ? "99" : $"{i}"));
+            string Difference(string was, string now)
+            {
+                SweepIdentity earlier = new SweepIdentity(), later = new SweepIdentity();
+                earlier.Add("angle_deg", was);
+                later.Add("angle_deg", now);
+                return later.DifferenceFrom(earlier);
+            }
+            string path = new string('a', 80);
+            Assert.That(Difference(List(41), List(81)), Is.EqualTo("angle_deg had 41 values and has 81"));
+            Assert.That(Difference(List(41), List(41, 30)), Is.EqualTo("value 31 of angle_deg was 30 and is 99"));
+            Assert.That(Difference(path + "b", path + "c"), Is.EqualTo($"angle_deg was {path}b and is {path}c"));
+        }
+
+        [Test]
         public void Resume_OfAnotherPart_IsRefused()
         {
             SampleSweep.Write(_path, SampleSweep.Identity(shard: new SweepShard(1, 3)), Poses, 2);

@@ -9,10 +9,11 @@ namespace Glint.Tests
     {
         public static readonly DateTime Started = new DateTime(2025, 3, 4, 15, 6, 7, DateTimeKind.Utc);
 
-        public static SweepIdentity Identity(string frequency = "10000000000 Hz", SweepShard? shard = null)
+        public static SweepIdentity Identity(string frequency = "10000000000 Hz", SweepShard? shard = null,
+            int poses = 4)
         {
             var identity = new SweepIdentity { Shard = shard };
-            identity.Add("angle_deg", "0,1,2,3");
+            identity.Add("angle_deg", string.Join(",", Enumerable.Range(0, poses)));
             identity.Add("target", null);
             identity.Add("frequency", frequency);
             return identity;

@@ -41,6 +41,20 @@ namespace Glint.Core
         /// <summary>The triangles whose currents radiate most, the strongest first.</summary>
         public IReadOnlyList<HotSpot> HotSpots { get; }
 
+        /// <summary>What is wrong with the contributions of a stored row; null: nothing.</summary>
+        /// <param name="contributions">Null: the row has none.</param>
+        /// <param name="objects">Number of objects of the scene.</param>
+        public static string ProblemOf(CrossSectionContributions contributions, int objects)
+        {
+            if (contributions == null)
+                return "has no contributions";
+            foreach (int number in contributions.Objects.Select(each => each.Number)
+                .Concat(contributions.HotSpots.Select(spot => spot.Object)))
+                if (number != Others && (number < 0 || number >= objects))
+                    return $"has a contribution of object {number} of {objects}";
+            return null;
+        }
+
         /// <summary>The contributions that are written.</summary>
         /// <param name="parts">The parts of the scene.</param>
         /// <param name="objects">S of each of its objects, in their order.</param>

@@ -208,6 +208,23 @@ namespace Glint.Core
             ? RadarAspect.At(azimuth, ReceiverElevationDegrees.Value)
             : Radar;
 
+        /// <summary>The directions, frequency and time of a stored row; its numbers in the plan are 0.</summary>
+        public static PlannedCrossSection Of(StoredRow row) => new PlannedCrossSection
+        {
+            AzimuthDegrees = row[CrossSectionColumn.Azimuth].Value,
+            ElevationDegrees = row[CrossSectionColumn.Elevation].Value,
+            Frequency = row[CrossSectionColumn.Frequency].Value,
+            ReceiverAzimuthDegrees = row[CrossSectionColumn.ReceiverAzimuth],
+            ReceiverElevationDegrees = row[CrossSectionColumn.ReceiverElevation],
+            Time = row[CrossSectionColumn.Time]
+        };
+
+        /// <summary>Whether another row has the same directions, frequency and time.</summary>
+        public bool HasThePlaceOf(in PlannedCrossSection other) => AzimuthDegrees == other.AzimuthDegrees
+            && ElevationDegrees == other.ElevationDegrees && Frequency == other.Frequency && Time == other.Time
+            && ReceiverAzimuthDegrees == other.ReceiverAzimuthDegrees
+            && ReceiverElevationDegrees == other.ReceiverElevationDegrees;
+
         /// <summary>"azimuth 30 deg, elevation 0 deg, 10000000000 Hz".</summary>
         public override string ToString()
         {

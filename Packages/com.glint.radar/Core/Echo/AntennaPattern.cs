@@ -43,6 +43,10 @@ namespace Glint.Core
             });
         }
 
+        /// <summary>Whether two angles lead away from 0 on one side, as those of a cosecant do.</summary>
+        public static bool LeadAway(double from, double to) =>
+            Math.Sign(from) == Math.Sign(to) && Math.Abs(to) > Math.Abs(from) && from != 0;
+
         /// <summary>
         /// A Gaussian beam up to an angle, from there a power of 1 / sin^2 up to another, and nothing behind it: the
         /// same echo from any range at one height.
@@ -55,7 +59,7 @@ namespace Glint.Core
             double exponent = GaussianExponent(beamWidthDegrees), side = Math.Sign(fromDegrees),
                 from = Radians(side * fromDegrees), to = Radians(side * toDegrees);
             Require.Within("antenna", "end of the cosecant's angles", toDegrees, "degrees", Interval.Closed(-179, 179));
-            if (!(from > 0 && to > from))
+            if (!LeadAway(fromDegrees, toDegrees))
                 throw new GlintException($"antenna: the cosecant's angles from {RadarSettings.Text(fromDegrees)} to "
                     + $"{RadarSettings.Text(toDegrees)} degrees must lead away from 0 on one side");
             double scale = GaussianField(exponent, from) * Math.Sin(from);

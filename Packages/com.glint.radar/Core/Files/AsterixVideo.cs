@@ -10,7 +10,10 @@ namespace Glint.Core
     /// </summary>
     public sealed class AsterixVideo
     {
-        const byte Category = 240, VideoMessage = 2, EightBits = 4;
+        /// <summary>The first byte of each data block.</summary>
+        public const byte Category = 240;
+
+        const byte VideoMessage = 2, EightBits = 4;
 
         // Items of a record, in the two bytes that list them: identifier, type, index, header with femtoseconds and
         // resolution; then counters, a block of cells, and time of day.

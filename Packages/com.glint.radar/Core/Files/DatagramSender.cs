@@ -23,7 +23,9 @@ namespace Glint.Core
         /// <param name="port">1 to 65535.</param>
         /// <param name="host">Name or address; that of a multicast group sends to all that joined it.</param>
         /// <param name="multicastTtl">Networks that a multicast datagram may pass, 0 to 255: 1 is the local one.</param>
-        /// <exception cref="GlintException">The host is unknown, or a number is out of its range.</exception>
+        /// <exception cref="GlintException">
+        /// The host is unknown or takes nothing, or a number is out of its range.
+        /// </exception>
         public DatagramSender(int port, string host = "127.0.0.1", int multicastTtl = 1)
         {
             Require.Within("UDP", "port", port, "", Ports);
@@ -40,7 +42,8 @@ namespace Glint.Core
                 // Not connected: no report that nothing listens yet stops a later datagram.
                 _endPoint = new IPEndPoint(address, port);
             }
-            catch (SocketException error)
+            // ArgumentException: 0.0.0.0, which only listens, or a name that is too long
+            catch (Exception error) when (error is SocketException || error is ArgumentException)
             {
                 _client?.Dispose();
                 throw new GlintException($"UDP: cannot send to {_target} ({error.Message}): give another host", error);

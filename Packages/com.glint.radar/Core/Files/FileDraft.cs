@@ -14,7 +14,7 @@ namespace Glint.Core
         readonly string _path, _written;
 
         /// <summary>Makes the draft, in a folder that exists.</summary>
-        /// <exception cref="IOException">The file or the draft cannot be written.</exception>
+        /// <exception cref="IOException">The file or the draft cannot be written, or another draft is open.</exception>
         /// <exception cref="UnauthorizedAccessException">They may not be written, or one is a folder.</exception>
         public FileDraft(string path)
         {
@@ -23,7 +23,9 @@ namespace Glint.Core
             if (!isWrittenItself && (File.Exists(path) || Directory.Exists(path)))
                 new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.Read).Dispose();
             (_path, _written) = (path, isWrittenItself ? path : path + ".tmp");
-            Stream = new FileStream(_written, FileMode.Create, FileAccess.Write);
+            // Another draft for the same place would be moved there in this one's stead.
+            Stream = new FileStream(_written, FileMode.Create, FileAccess.Write,
+                isWrittenItself ? FileShare.Read : FileShare.None);
         }
 
         /// <summary>Takes the content.</summary>

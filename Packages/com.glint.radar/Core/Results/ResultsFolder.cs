@@ -67,6 +67,12 @@ namespace Glint.Core
         /// <summary>Path of the file of an unfinished sweep.</summary>
         public string PartialPath => Path.Combine(FolderPath, PartialName);
 
+        /// <summary>What the rows hold.</summary>
+        public ResultTable Table => _table;
+
+        /// <summary>The run that <see cref="Finish"/> described; null before.</summary>
+        public RunInfo Info { get; private set; }
+
         /// <summary>First start of the sweep, UTC; null if unknown.</summary>
         public DateTime? StartedUtc { get; private set; }
 
@@ -120,17 +126,20 @@ namespace Glint.Core
         /// If there is nothing to resume, the sweep starts from its first pose.
         /// </summary>
         /// <param name="poses">Poses of the sweep, or of its part.</param>
+        /// <param name="problemOf">
+        /// What is wrong with a row, by its number from 0, such as "is of 15 deg instead of 10 deg"; null: nothing.
+        /// </param>
         /// <returns>Number of poses done: all of them if results.json exists.</returns>
         /// <exception cref="GlintException">
         /// The folder holds results of another sweep, or damaged ones; the message says what differs. Nothing is
         /// changed.
         /// </exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
-        public int Resume(int poses)
+        public int Resume(int poses, Func<int, StoredRow, string> problemOf = null)
         {
             RequireUnfinished();
             if (File.Exists(PartialPath))
-                return GoOn(UnfinishedSweep.Read(PartialPath), poses);
+                return GoOn(UnfinishedSweep.Read(PartialPath), poses, problemOf);
             if (File.Exists(JsonPath))
             {
                 var done = StoredRun.ReadFile(JsonPath);
@@ -138,6 +147,7 @@ namespace Glint.Core
                 if (done.Rows.Count != poses)
                     throw new GlintException($"{JsonPath}: has {done.Rows.Count} rows of {poses}: it was changed; "
                         + "restore it, or leave --resume out");
+                CheckRows(JsonPath, done.Rows, problemOf);
                 _rows.AddRange(done.Rows);
                 return poses;
             }
@@ -183,6 +193,7 @@ namespace Glint.Core
         public void Finish(RunInfo info, Action meanwhile = null)
         {
             RequireUnfinished();
+            Info = info;
             if (_csv == null)
             {
                 Create();
@@ -287,7 +298,16 @@ namespace Glint.Core
             _csv = Open(CsvPath, FileMode.Create);
         }, KeepWholeRows);
 
-        int GoOn(UnfinishedSweep earlier, int poses)
+        static void CheckRows(string path, IEnumerable<StoredRow> rows, Func<int, StoredRow, string> problemOf)
+        {
+            int number = 0;
+            foreach (var row in rows)
+                if (problemOf?.Invoke(number++, row) is string problem)
+                    throw new GlintException($"{path}: row {number} {problem}: it was changed; "
+                        + "restore it, or leave --resume out");
+        }
+
+        int GoOn(UnfinishedSweep earlier, int poses, Func<int, StoredRow, string> problemOf)
         {
             if (earlier == null)
                 return 0;
@@ -296,6 +316,7 @@ namespace Glint.Core
             int kept = Math.Min(earlier.Rows.Count, poses - 1);
             if (kept == 0)
                 return 0;
+            CheckRows(_table.IsArray ? CsvPath : PartialPath, earlier.Rows.Take(kept), problemOf);
             Try($"{CsvPath}: cannot be written", () =>
             {
                 if (_table.IsArray)

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -28,7 +29,7 @@ namespace Glint.Core
             var first = parts[0];
             int count = first.results.Info.Sweep.Shard.Value.Count;
             foreach (var part in parts)
-                CheckBelongs(part.folder, part.results.Info.Sweep, first.folder, first.results.Info.Sweep);
+                CheckBelongs(part.folder, part.results, first.folder, first.results);
             for (int i = 1; i < parts.Length; i++)
                 if (parts[i].results.Info.Sweep.Shard.Equals(parts[i - 1].results.Info.Sweep.Shard))
                     throw new GlintException($"{parts[i - 1].folder} and {parts[i].folder} are both part "
@@ -69,8 +70,12 @@ namespace Glint.Core
                 : throw new GlintException($"{folder}: is not part of a sweep made with --shard");
         }
 
-        static void CheckBelongs(string folder, SweepIdentity part, string firstFolder, SweepIdentity first)
+        static void CheckBelongs(string folder, StoredRun run, string firstFolder, StoredRun firstRun)
         {
+            if (run.Table != firstRun.Table)
+                throw new GlintException($"{folder} holds results of glint {run.Table.Name} and {firstFolder} of glint "
+                    + $"{firstRun.Table.Name}: give the parts of one run");
+            SweepIdentity part = run.Info.Sweep, first = firstRun.Info.Sweep;
             if (part.Shard.Value.Count != first.Shard.Value.Count)
                 throw new GlintException($"{folder} is part {part.Shard} and {firstFolder} is part {first.Shard}: "
                     + "their sweeps have different numbers of parts");
@@ -82,15 +87,34 @@ namespace Glint.Core
         // A part that has lost rows, or a plan that was edited.
         static void CheckRows((string folder, StoredRun results)[] parts)
         {
-            int poses = parts.Sum(part => part.results.Rows.Count);
+            int? planned = PosesOf(parts[0].results);
+            int poses = planned ?? parts.Sum(part => part.results.Rows.Count);
             foreach (var (folder, results) in parts)
             {
                 var shard = results.Info.Sweep.Shard.Value;
-                int expected = shard.End(poses) - shard.First(poses);
-                if (results.Rows.Count != expected)
-                    throw new GlintException($"{Path.Combine(folder, ResultsFolder.JsonName)}: "
-                        + $"has {results.Rows.Count} rows where part {shard} of {poses} poses has {expected}: "
-                        + "a file was changed; trace the part again");
+                int rows = results.Rows.Count, expected = shard.End(poses) - shard.First(poses);
+                if (rows != expected)
+                    throw new GlintException(planned == null
+                        ? $"{string.Join(", ", parts.Select(part => part.folder))}: have "
+                            + $"{string.Join(", ", parts.Select(part => part.results.Rows.Count))} rows, "
+                            + $"and no sweep of {poses} poses has such parts: a file was changed; restore it"
+                        : $"{Path.Combine(folder, ResultsFolder.JsonName)}: has {rows} rows where part {shard} of "
+                            + $"{poses} poses has {expected}: a file was changed; trace the part again");
+            }
+        }
+
+        // Null where the identity does not have the whole plan.
+        static int? PosesOf(StoredRun run)
+        {
+            try
+            {
+                return run.Table == ResultTable.Sweep
+                    ? SweepPlan.Of(run.Info.Sweep).Count
+                    : CrossSectionPlan.Of(run.Info.Sweep).Count;
+            }
+            catch (Exception error) when (error is FormatException || error is GlintException)
+            {
+                return null;
             }
         }
 

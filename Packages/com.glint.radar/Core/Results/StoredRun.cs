@@ -39,6 +39,15 @@ namespace Glint.Core
             Rows = Table.IsArray
                 ? ArrayOf(path, (int)Number(json, ResultsJson.RowCount))
                 : ((JArray)Find(json, "rows")).Select(row => new StoredRow((JObject)row, Table)).ToArray();
+            if (Info.ObjectNames != null || ContributionFiles.AreIn(Rows))
+                CheckContributions(Info.ObjectNames?.Count ?? 0);
+        }
+
+        void CheckContributions(int objects)
+        {
+            for (int i = 0; i < Rows.Count; i++)
+                if (CrossSectionContributions.ProblemOf(Rows[i].Contributions, objects) is string problem)
+                    throw new FormatException($"row {i + 1} {problem}");
         }
 
         IReadOnlyList<StoredRow> ArrayOf(string path, int count)

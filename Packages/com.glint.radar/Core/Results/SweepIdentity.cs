@@ -48,9 +48,23 @@ namespace Glint.Core
         /// <summary>The text of an entry; null if there is none.</summary>
         public string Find(string name) => _entries.FirstOrDefault(entry => entry.Key == name).Value;
 
-        static string Difference(string name, string was, string now) => name == Content
-            ? $"the meshes, places or materials of the scene are others ({name} was {Shown(was)} and is {Shown(now)})"
-            : $"{name} was {Shown(was)} and is {Shown(now)}";
+        static string Difference(string name, string was, string now)
+        {
+            if (name == Content)
+                return "the meshes, places or materials of the scene are others "
+                    + $"({name} was {Shown(was)} and is {Shown(now)})";
+            return Shown(was) == Shown(now) ? LongDifference(name, was.Split(','), now.Split(','))
+                : $"{name} was {Shown(was)} and is {Shown(now)}";
+        }
+
+        // Of texts, or lists, that begin alike.
+        static string LongDifference(string name, string[] was, string[] now)
+        {
+            if (was.Length != now.Length)
+                return $"{name} had {was.Length} values and has {now.Length}";
+            int first = Enumerable.Range(0, was.Length).First(i => was[i] != now[i]);
+            return $"{(was.Length == 1 ? "" : $"value {first + 1} of ")}{name} was {was[first]} and is {now[first]}";
+        }
 
         static string Shown(string text) => text == null ? "not given" : Values.Shown(text);
     }

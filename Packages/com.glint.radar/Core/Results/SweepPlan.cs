@@ -58,6 +58,17 @@ namespace Glint.Core
         {
         }
 
+        /// <summary>The plan whose lists are in an identity.</summary>
+        /// <exception cref="FormatException">They are not there, or damaged.</exception>
+        /// <exception cref="UsageException">There are more than <see cref="Limit"/> poses.</exception>
+        public static SweepPlan Of(SweepIdentity identity)
+        {
+            if (SweepAxis.All.All(axis => identity.Find(axis.Column) == null))
+                throw new FormatException("it has no list of an axis");
+            return new SweepPlan(axis => identity.Find(axis.Column)?.Split(',')
+                .Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray());
+        }
+
         /// <summary>Poses in all.</summary>
         public int Count { get; }
 

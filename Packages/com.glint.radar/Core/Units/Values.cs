@@ -48,7 +48,8 @@ namespace Glint.Core
         {
             var parts = text.Split('x', 'X');
             if (parts.Length != 2 || !TryWhole(parts[0], out double across) || !TryWhole(parts[1], out double down))
-                throw new FormatException("must be ACROSSxDOWN, two whole numbers, such as 1920x1080");
+                throw new FormatException("must be ACROSSxDOWN, two whole numbers"
+                    + (range.Contains(1920) ? ", such as 1920x1080" : $", each {range}"));
             return new int2((int)Each(across, range), (int)Each(down, range));
         }
 

@@ -104,8 +104,25 @@ namespace Glint.Editor
             if (File.Exists(Path.Combine(output, ResultsFolder.PartialName)))
                 Debug.LogWarning($"{output}: holds a sweep that is not finished; the whole replaces it");
             var folder = ResultsMerge.Merge(line.Folders, Path.GetFullPath(output));
+            WarnOfRows(folder);
             progress.Print($"written: {string.Join(", ", folder.WrittenPaths)}");
             return Done;
+        }
+
+        // As at the end of a run of all rows.
+        static void WarnOfRows(ResultsFolder folder)
+        {
+            string name = Path.GetFileNameWithoutExtension(folder.Info.ScenePath);
+            double toleranceDb = folder.Info.Settings.FirstOrDefault(setting => setting.Name == "tolerance").Number;
+            if (folder.Table != ResultTable.Sweep)
+            {
+                CrossSectionCommand.WarnOf(folder.Rows, name, toleranceDb);
+                return;
+            }
+            var warnings = new PoseWarnings();
+            foreach (var row in folder.Rows)
+                warnings.Add(row);
+            warnings.Log(name, toleranceDb > 0);
         }
 
         /// <summary>The poses of a sweep; a single pose for other commands.</summary>
@@ -123,14 +140,10 @@ namespace Glint.Editor
         static int Trace(SweepRun run, LoadedScene loaded, ResultsFolder folder,
             SweepPlan plan, IProgressSink progress)
         {
-            long hit = 0, received = 0;
-            int undersampled = 0, before = run.Done;
+            int before = run.Done;
+            var warnings = new PoseWarnings();
             foreach (var row in folder?.Rows ?? Array.Empty<StoredRow>())
-            {
-                hit += (long)row[ResultColumn.RaysHit];
-                received += (long)row[ResultColumn.RaysReceived];
-                undersampled += row.IsUndersampled ? 1 : 0;
-            }
+                warnings.Add(row);
             if (before > 0)
                 progress.Print(run.IsComplete
                     ? "already complete: nothing to do"
@@ -143,9 +156,7 @@ namespace Glint.Editor
                     var row = run.Step(progress, progress.Cancel);
                     if (run.Done == before + 1)
                         progress.Print(PoseTable.Header(plan));
-                    hit += row.Result.RaysHit;
-                    received += row.Result.RaysReceived;
-                    undersampled += row.Result.Undersampled ? 1 : 0;
+                    warnings.Add(row.Result);
                     progress.Print(PoseTable.Row(plan, row));
                     if (plan == SweepPlan.Single)
                         progress.Print(PoseTable.Details(row.Result));
@@ -161,11 +172,7 @@ namespace Glint.Editor
             }
             if (!run.IsComplete)
                 return Cancelled;
-            WarnOfSilence(loaded.Name, hit, received);
-            if (loaded.Radar.Settings.ToleranceDb > 0)
-                WarnOfTolerance(loaded.Name, undersampled, run.Count);
-            else if (received > 0)
-                WarnOfUndersampling(loaded.Name, undersampled, run.Count);
+            warnings.Log(loaded.Name, loaded.Radar.Settings.ToleranceDb > 0);
             if (folder != null && run.Done > before)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;
@@ -176,36 +183,6 @@ namespace Glint.Editor
             if (folder != null && !line.Get(Options.Resume) && File.Exists(folder.PartialPath))
                 Debug.LogWarning($"{folder.FolderPath}: holds a sweep that is not finished; "
                     + $"the first row replaces it ({Options.Resume.Flag} would continue it)");
-        }
-
-        // No hit in any pose is a valid result, but more often a wrong aim.
-        static void WarnOfSilence(string name, long hit, long received)
-        {
-            if (hit == 0)
-                Debug.LogWarning($"{name}: no ray hit anything: is the target in view, "
-                    + "of the right size and on a traced layer? (mesh files: --aim, --distance, --fov, --unit)");
-            else if (received == 0)
-                Debug.LogWarning($"{name}: rays hit and none was received: "
-                    + "mirrors return only rays at normal incidence or in a corner; try other angles (mesh files: "
-                    + "--grazing, --azimuth), more rays (--size) or a narrower view");
-        }
-
-        static void WarnOfUndersampling(string name, int undersampled, int poses)
-        {
-            if (undersampled == 0)
-                return;
-            string where = poses == 1 ? "" : $" in {undersampled} of {poses} poses (column undersampled)";
-            Debug.LogWarning($"{name}: the rays are too far apart, or too few return, for the amplitude to "
-                + $"be trusted{where}: trace more rays ({Options.Size.Flag}, or a smaller {Options.Spacing.Flag}) or a "
-                + $"narrower view ({Options.Fov.Flag}; in a scene the Camera's Field of View)");
-        }
-
-        static void WarnOfTolerance(string name, int notMet, int poses)
-        {
-            if (notMet > 0)
-                Debug.LogWarning($"{name}: the tolerance is not met"
-                    + (poses == 1 ? "" : $" in {notMet} of {poses} poses (column undersampled)")
-                    + $": the error that was reached is in column sampling_error; ask for a larger {Options.Tolerance.Flag}");
         }
 
         // A sweep always writes results; a single pose only with --out.

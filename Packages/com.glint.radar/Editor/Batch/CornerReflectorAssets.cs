@@ -24,7 +24,7 @@ namespace Glint.Editor
             {
                 string path = $"{folder}/{root.name}.prefab";
                 ProjectAssets.SavePrefab(root, path);
-                progress.Print(path);
+                progress.Print(ProjectAssets.Shown(path));
             }
             return Batch.Done;
         }

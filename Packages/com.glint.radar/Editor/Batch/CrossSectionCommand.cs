@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Numerics;
@@ -103,6 +104,22 @@ namespace Glint.Editor
             return (scene, gatherer, path, name);
         }
 
+        /// <summary>Warns of the rows of parts that were merged.</summary>
+        public static void WarnOf(IReadOnlyList<StoredRow> rows, string name, double toleranceDb)
+        {
+            var warnings = new RowWarnings();
+            foreach (var row in rows)
+                warnings.Add(row);
+            Warn(warnings, name, toleranceDb);
+        }
+
+        static void Warn(RowWarnings warnings, string name, double toleranceDb)
+        {
+            foreach (string warning in warnings.Of(name, toleranceDb,
+                $"{CrossSectionOptions.Tolerance.Flag} or {CrossSectionOptions.Floor.Flag}"))
+                Debug.LogWarning(warning);
+        }
+
         static void Describe(CrossSectionSetup setup, string name, IProgressSink progress)
         {
             var centre = setup.Scene.Origin + setup.PhaseCentre;
@@ -129,7 +146,7 @@ namespace Glint.Editor
                     : FormattableString.Invariant($"resumed: {before} of {run.Count} rows are done"));
             var warnings = new RowWarnings();
             for (int row = 0; row < before; row++)
-                warnings.Add(folder.Rows[row], setup.Plan[run.First + row]);
+                warnings.Add(folder.Rows[row]);
             progress.Start(name, run.Count, before);
             try
             {
@@ -157,9 +174,7 @@ namespace Glint.Editor
             }
             if (!run.IsComplete)
                 return Batch.Cancelled;
-            foreach (string warning in warnings.Of(name, setup.ToleranceDb,
-                $"{CrossSectionOptions.Tolerance.Flag} or {CrossSectionOptions.Floor.Flag}"))
-                Debug.LogWarning(warning);
+            Warn(warnings, name, setup.ToleranceDb);
             if (run.Done > before)
                 progress.Print($"written: {string.Join(", ", folder.WrittenPaths)}");
             return Batch.Done;

@@ -127,7 +127,7 @@ namespace Glint.Editor
 
         /// <summary>Where the cosecant begins and ends, degrees; null when not given.</summary>
         public static readonly Option<double2?> Cosecant = Options.Needing(AntennaPattern,
-            new Option<double2?>("cosecant", "FROM,TO", text => Values.Pair(text, s_angles))
+            new Option<double2?>("cosecant", "FROM,TO", text => ReadCosecant(text))
             {
                 Group = RadarGroup,
                 Range = "each " + s_angles,
@@ -292,6 +292,13 @@ namespace Glint.Editor
                     }
                     : null
             };
+        }
+
+        static double2 ReadCosecant(string text)
+        {
+            var angles = Values.Pair(text, s_angles);
+            return Core.AntennaPattern.LeadAway(angles.x, angles.y) ? angles
+                : throw new FormatException("the angles must lead away from 0 on one side, such as -5,-30");
         }
 
         static EchoAntenna AntennaOf(CommandLine line)

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using UnityEditor;
 using UnityEngine;
 
 namespace Glint.Editor
@@ -84,14 +85,14 @@ namespace Glint.Editor
             root.GetComponent<Ship>().Settings = settings;
             string path = $"{folder}/{ShipName}.prefab";
             ProjectAssets.SavePrefab(root, path);
-            return path;
+            return ProjectAssets.Shown(path);
         }
 
         static bool Write(string folder, SeaRecipe recipe, IProgressSink progress, ref int done)
         {
             var surface = new SeaSurface(recipe.Settings);
-            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}: height factor {1:g6}", folder,
-                recipe.Settings.HeightFactor));
+            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}: height factor {1:g6}",
+                ProjectAssets.Shown(folder), recipe.Settings.HeightFactor));
             progress.Print("  snapshot  seconds  wave height m");
             for (int i = 0; i < recipe.Times.Count; i++)
             {
@@ -103,7 +104,20 @@ namespace Glint.Editor
                     string.Format(CultureInfo.InvariantCulture, "  {0,8}  {1,7}  {2,13:0.000}", i + 1, time, height));
                 progress.Advance(++done, SnapshotName(i + 1));
             }
+            WarnOfOthers(folder, recipe.Times.Count);
             return true;
+        }
+
+        // A Sea of a scene may have them beside the new ones.
+        static void WarnOfOthers(string folder, int count)
+        {
+            int last = count;
+            while (File.Exists(FileUtil.GetPhysicalPath($"{folder}/{SnapshotName(last + 1)}.prefab")))
+                last++;
+            if (last > count)
+                Debug.LogWarning($"{ProjectAssets.Shown(folder)}: {SnapshotName(count + 1)}"
+                    + (last > count + 1 ? $" to {SnapshotName(last)} are" : " is")
+                    + " of an earlier sea: remove what is not used any more, or write the new sea to another folder");
         }
 
         static void Write(string folder, string name, SeaSurface surface, double time, double height, SeaRecipe recipe)

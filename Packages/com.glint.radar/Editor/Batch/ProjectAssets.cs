@@ -12,6 +12,7 @@ namespace Glint.Editor
     {
         const string ShaderFolder = "Packages/com.glint.radar/Shaders/";
         const string MeshesPackage = "Packages/com.glint.meshes";
+        const string WayOut = "free the disk or the folder, or name another folder with --out";
 
         /// <summary>The kernel of every radar; null if its import failed.</summary>
         public static ComputeShader Kernel => LoadShader("Trace.compute");
@@ -57,8 +58,25 @@ namespace Glint.Editor
             return Folder($"{MeshesPackage}/{name}");
         }
 
+        /// <summary>An asset path as a user finds it: outside of a project the path on disk.</summary>
+        public static string Shown(string path) =>
+            ProjectPaths.FindRoot(Directory.GetCurrentDirectory()) == null ? FileUtil.GetPhysicalPath(path) : path;
+
         /// <summary>Stores a mesh; returns the asset.</summary>
+        /// <exception cref="GlintException">It cannot be written.</exception>
         public static Mesh Save(Mesh made, string path)
+        {
+            try
+            {
+                return Store(made, path);
+            }
+            catch (UnityException error)
+            {
+                throw new GlintException($"{error.Message.TrimEnd('.')}: {WayOut}", error);
+            }
+        }
+
+        static Mesh Store(Mesh made, string path)
         {
             var stored = AssetDatabase.LoadAssetAtPath<Mesh>(path);
             if (stored == null)
@@ -74,13 +92,13 @@ namespace Glint.Editor
         }
 
         /// <summary>Stores an object of the scene, with all below it, as a prefab, and removes it.</summary>
-        /// <exception cref="GlintException">Unity could not write it.</exception>
+        /// <exception cref="GlintException">It cannot be written.</exception>
         public static void SavePrefab(GameObject root, string path)
         {
             PrefabUtility.SaveAsPrefabAsset(root, path, out bool isSaved);
             Object.DestroyImmediate(root);
             if (!isSaved)
-                throw new GlintException($"{path}: the prefab could not be written: Unity's log says why");
+                throw new GlintException($"{path}: the prefab could not be written, the log says why: {WayOut}");
         }
 
         /// <summary>Adds a child that shows a mesh.</summary>
@@ -109,7 +127,7 @@ namespace Glint.Editor
             string parent = folder.Substring(0, folder.LastIndexOf('/'));
             Make(parent);
             if (AssetDatabase.CreateFolder(parent, folder.Substring(parent.Length + 1)).Length == 0)
-                throw new GlintException($"{folder}: the folder could not be made: Unity's log says why");
+                throw new GlintException($"{folder}: the folder could not be made, the log says why: {WayOut}");
         }
     }
 }

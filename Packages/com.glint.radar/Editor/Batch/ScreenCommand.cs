@@ -6,14 +6,21 @@ using System.Linq;
 using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
+using Debug = UnityEngine.Debug;
 
 namespace Glint.Editor
 {
     /// <summary><c>glint ppi</c>: turns of the radar screen of a scene, frame by frame.</summary>
     static class ScreenCommand
     {
+        // Time of a stream in that of the scene.
+        const double MaxDelay = 1.1;
+
         public static int Execute(CommandLine line, IProgressSink progress)
         {
+            string folder = line.IsGiven(ScreenOptions.Out) ? Path.GetFullPath(line.Get(ScreenOptions.Out))
+                : RunDescription.DefaultFolder(Path.GetFileNameWithoutExtension(line.Input), ResultTable.Screen);
+            VideoOutput.Check(line, folder);
             LoadedScene.OpenSceneFile(line.Input);
             var screen = SceneSearch.FindOnly<RadarScreen>(line.Input, "radar screen",
                 "RadarScreen (Glint > Radar Screen) to an object of the scene");
@@ -22,8 +29,6 @@ namespace Glint.Editor
                 screen.Kernel = ProjectAssets.ScreenKernel;
             if (screen.SeaKernel == null)
                 screen.SeaKernel = ProjectAssets.SeaKernel;
-            string folder = line.IsGiven(ScreenOptions.Out) ? Path.GetFullPath(line.Get(ScreenOptions.Out))
-                : RunDescription.DefaultFolder(Path.GetFileNameWithoutExtension(line.Input), ResultTable.Screen);
             if (line.Get(ScreenOptions.Detect) is string level)
                 screen.Detection = new ScreenDetection
                 {
@@ -98,8 +103,18 @@ namespace Glint.Editor
             }
             progress.Print(FormattableString.Invariant(
                 $"{turns} {(turns == 1 ? "turn" : "turns")} in {watch.Elapsed.TotalSeconds:0.0} s, {frames} frames; main thread {play.MedianMilliseconds:0.000} ms a frame for the radar (median)"));
+            if (line.IsGiven(ScreenOptions.Udp)
+                && WarningOfDelay(line.Input, watch.Elapsed.TotalSeconds, (double)frames / rate) is string warning)
+                Debug.LogWarning(warning);
             return Batch.Done;
         }
+
+        /// <summary>The warning of a stream that was not in real time; null if it was.</summary>
+        /// <param name="seconds">Time that it took: a frame that is late is made up for by the next ones.</param>
+        /// <param name="expected">Time that it has in the scene.</param>
+        internal static string WarningOfDelay(string name, double seconds, double expected) =>
+            seconds <= MaxDelay * expected ? null : FormattableString.Invariant(
+                $"{name}: the stream was not in real time: it took {seconds:0.00} s instead of {expected:0.00} s; use a faster device, fewer spokes or cells, or fewer frames a second ({ScreenOptions.FrameRate.Flag})");
 
         static void Wait(double seconds)
         {
@@ -140,6 +155,8 @@ namespace Glint.Editor
     /// <summary>Radar video of each frame, to a file and by UDP.</summary>
     sealed class VideoOutput : IDisposable
     {
+        static readonly string AnotherFile = $"name another file with {ScreenOptions.Asterix.Flag}";
+
         readonly ScreenAsterix _encoder;
         readonly DatagramSender _sender;
         readonly double _start = DateTime.UtcNow.TimeOfDay.TotalSeconds;
@@ -159,14 +176,54 @@ namespace Glint.Editor
             if (path == null)
                 return;
             Paths = new[] { Path.GetFullPath(path) };
-            Try(() =>
+            try
             {
-                Directory.CreateDirectory(Path.GetDirectoryName(Paths[0]));
-                _file = new FileDraft(Paths[0]);
-            });
+                Try(Paths[0], () =>
+                {
+                    Directory.CreateDirectory(Path.GetDirectoryName(Paths[0]));
+                    _file = new FileDraft(Paths[0]);
+                });
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
         }
 
         public string[] Paths { get; private set; } = new string[0];
+
+        /// <summary>Refuses a place where no recording can be, before any work.</summary>
+        /// <param name="folder">The results folder.</param>
+        /// <exception cref="GlintException">
+        /// The path is a folder or one of the results, or a file that is no recording is there.
+        /// </exception>
+        public static void Check(CommandLine line, string folder)
+        {
+            string path = line.Get(ScreenOptions.Asterix);
+            if (path == null)
+                return;
+            if (ScreenFiles.Names.Any(name => Path.GetFullPath(path) == Path.Combine(folder, name)))
+                throw new UsageException($"{ScreenOptions.Asterix.Flag} {path}: is a file of the results: name another one");
+            if (Directory.Exists(path))
+                throw new GlintException(
+                    $"{path}: is a folder: name a file in it with {ScreenOptions.Asterix.Flag}");
+            Try(path, () =>
+            {
+                if (File.Exists(path) && !IsVideo(path))
+                    throw new GlintException($"{path}: is there, and is no radar video that could be replaced: "
+                        + AnotherFile);
+            });
+        }
+
+        // An empty file has nothing to lose, nor has a device or a pipe.
+        static bool IsVideo(string path)
+        {
+            if (new FileInfo(path).Length == 0)
+                return true;
+            using (var file = File.OpenRead(path))
+                return file.ReadByte() == AsterixVideo.Category;
+        }
 
         /// <summary>Writes the spokes of the last frame.</summary>
         public void Add(RadarScreen screen)
@@ -186,18 +243,21 @@ namespace Glint.Editor
         }
 
         /// <summary>The recording is complete: moves it to its place.</summary>
-        public void Finish() => Try(() => _file?.Finish());
+        public void Finish()
+        {
+            if (_file != null)
+                Try(Paths[0], _file.Finish);
+        }
 
-        void Try(Action change)
+        static void Try(string path, Action work)
         {
             try
             {
-                change();
+                work();
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
             {
-                Dispose();
-                throw ScreenFiles.Refusal(Paths[0], error, $"name another file with {ScreenOptions.Asterix.Flag}");
+                throw ScreenFiles.Refusal(path, error, AnotherFile);
             }
         }
 

@@ -14,6 +14,12 @@ namespace Glint.Editor
     {
         const string PictureName = "picture.png", TableName = "video.csv", DetectionsName = "detections.csv";
 
+        /// <summary>Every file that it may write.</summary>
+        public static readonly string[] Names =
+        {
+            ResultsFolder.JsonName, PictureName, ResultTable.Screen.CsvName, TableName, DetectionsName
+        };
+
         readonly CommandLine _line;
         readonly RadarScreen _screen;
         readonly string _folder;
@@ -29,8 +35,7 @@ namespace Glint.Editor
         public IReadOnlyList<string> Write()
         {
             // Of a run before.
-            foreach (string name in new[]
-                { ResultsFolder.JsonName, PictureName, ResultTable.Screen.CsvName, TableName, DetectionsName })
+            foreach (string name in Names)
                 At(name, File.Delete);
             var detected = _line.IsGiven(ScreenOptions.Detect) ? _screen.ReadDetections() : null;
             Write(PictureName, file => WritePicture(file, detected));

@@ -36,7 +36,7 @@ namespace Glint.Editor
             Range = "port " + DatagramSender.Ports,
             Help = "Also send the video by UDP, a datagram a spoke, to a port of a host or of a multicast group, such as "
                 + "239.192.43.78:4378. Without a host: 127.0.0.1. The files are written as fast as the device allows; "
-                + "with this option frames keep to the clock."
+                + "with this option frames keep to the clock, and a warning says where the device is too slow for that."
         };
 
         /// <summary>Networks that multicast may pass.</summary>

@@ -70,7 +70,7 @@ namespace Glint
                     _identity.Shard = shard;
                     folder.Begin(_identity, _startedUtc);
                     if (resume)
-                        Done = folder.Resume(Count);
+                        Done = folder.Resume(Count, ProblemOf);
                 }
                 _tracer = new CrossSectionTracer(shader, subject);
                 _tracer.Expect(ahead);
@@ -117,6 +117,17 @@ namespace Glint
             if (IsComplete)
                 WriteOtherFiles();
             return row;
+        }
+
+        // A row that is not what the plan has in its place was changed.
+        string ProblemOf(int number, StoredRow row)
+        {
+            PlannedCrossSection planned = _setup.Plan[First + number], stored = PlannedCrossSection.Of(row);
+            if (!stored.HasThePlaceOf(planned))
+                return $"is of {stored} instead of {planned}";
+            return _setup.HasContributions
+                ? CrossSectionContributions.ProblemOf(row.Contributions, _setup.ObjectNames.Count)
+                : null;
         }
 
         // The next row, and with it those that are traced already: they are written at once. A row with contributions takes

@@ -15,9 +15,10 @@ namespace Glint
         public void Add(CrossSectionRow row) =>
             Add(row.MeetsTolerance, row.IsOutsidePhysicalOptics, row.Accuracy.ErrorDb, row.Planned);
 
-        /// <summary>Takes a row of a run that is resumed.</summary>
-        public void Add(StoredRow row, in PlannedCrossSection planned) => Add(row[CrossSectionColumn.ToleranceMet] != 0,
-            row[CrossSectionColumn.OutsidePhysicalOptics] == 1, row[CrossSectionColumn.ErrorDb] ?? 0, planned);
+        /// <summary>Takes a row of a run that is resumed or merged.</summary>
+        public void Add(StoredRow row) => Add(row[CrossSectionColumn.ToleranceMet] != 0,
+            row[CrossSectionColumn.OutsidePhysicalOptics] == 1, row[CrossSectionColumn.ErrorDb] ?? 0,
+            PlannedCrossSection.Of(row));
 
         void Add(bool isMet, bool isOutside, double errorDb, in PlannedCrossSection planned)
         {

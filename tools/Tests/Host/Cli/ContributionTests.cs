@@ -85,6 +85,41 @@ public sealed class ContributionTests
         AssertSame("stopped");
     }
 
+    [TestCase("has no contributions")]
+    [TestCase("has a contribution of object 7 of 1")]
+    public void Row_WithoutTheContributionsOfItsScene_IsDamaged(string problem)
+    {
+        string[] rcs = ["rcs", At("plate.obj"), "--azimuth", "0:3:1", "--tolerance", "0.5", "--contributions"];
+        for (int number = 1; number <= 2; number++)
+            Run([.. rcs, "--shard", $"{number}/2", "--out", At($"{number}")]);
+        Edit(At("2/results.json"), text => Damage(JObject.Parse(text), "rows[1].", problem));
+        var (code, _, error) = TestShell.Run("merge", At("1"), At("2"), "--out", At("merged"));
+        Assert.That(error, Does.StartWith($"glint: {At("2/results.json")}: cannot be read as results, it is damaged: row 2 "
+            + $"{problem}; "));
+        Assert.That((code, Directory.Exists(At("merged"))), Is.EqualTo((1, false)));
+
+        Project.Open(Project.FindRoot(AppContext.BaseDirectory));
+        string[] stopped = [.. rcs, "--out", At("stopped")];
+        Assert.That(Batch.Execute(CommandLine.Parse(Commands.Rcs, [.. stopped.Skip(1)]), new CancelAfter(2)),
+            Is.EqualTo(130));
+        Edit(At("stopped/results.partial"), text => string.Join("\n", text.Split('\n').Select((line, i) =>
+            i == 1 ? Damage(JObject.Parse(line), "", problem) : line)));
+        (code, _, error) = TestShell.Run([.. stopped, "--resume"]);
+        Assert.That((code, error.Trim()), Is.EqualTo((1, $"glint: {At("stopped/results.partial")}: row 1 {problem}: it was "
+            + "changed; restore it, or leave --resume out")));
+    }
+
+    static string Damage(JObject json, string row, string problem)
+    {
+        if (problem == "has no contributions")
+            json.SelectToken(row + "contributions").Parent.Remove();
+        else
+            json.SelectToken(row + "contributions.objects[0]")[0] = 7;
+        return json.ToString(Newtonsoft.Json.Formatting.None);
+    }
+
+    static void Edit(string path, Func<string, string> change) => File.WriteAllText(path, change(File.ReadAllText(path)));
+
     [Test]
     public void NameWithAComma_IsQuoted()
     {

@@ -225,6 +225,39 @@ public sealed class CrossSectionCommandTests
     }
 
     [Test]
+    public void Resume_OfARowOfAnotherDirection_IsRefusedByItsNumber()
+    {
+        string[] rcs = [At("plate.obj"), "--azimuth", "0:3:1", "--tolerance", "0.5", "--out", At("changed")];
+        Project.Open(Project.FindRoot(AppContext.BaseDirectory));
+        Assert.That(Batch.Execute(CommandLine.Parse(Commands.Rcs, rcs), new CancelAfter(3)), Is.EqualTo(130));
+        string partial = At("changed/results.partial");
+        string text = File.ReadAllText(partial).Replace("\"azimuth_deg\":1,", "\"azimuth_deg\":1.5,");
+        File.WriteAllText(partial, text);
+        File.Delete(At("changed/rcs.csv"));
+        var (code, _, error) = Execute([.. rcs, "--resume"]);
+        Assert.That((code, error.Trim()), Is.EqualTo((1, $"glint: {partial}: row 2 is of azimuth 1.5 deg, elevation 0 deg, "
+            + "10000000000 Hz instead of azimuth 1 deg, elevation 0 deg, 10000000000 Hz: it was changed; restore it, or "
+            + "leave --resume out")));
+        Assert.That(File.ReadAllText(partial), Is.EqualTo(text));
+    }
+
+    /// <summary>Rows outside physical optics are in both parts: the whole has the warning of all.</summary>
+    [Test]
+    public void Merge_WarnsAsAnUndividedRunDoes()
+    {
+        string[] rcs = [At("plate.obj"), "--azimuth", "0", "--receivers", "0,100,120,140", "--tolerance", "0.5"];
+        static string[] Warnings(string error) =>
+            [.. error.Split('\n').Where(line => line.Contains("outside physical optics"))];
+        string[] whole = Warnings(Execute([.. rcs, "--out", At("whole")]).error);
+        Assert.That(whole, Has.Length.EqualTo(1));
+        for (int number = 1; number <= 2; number++)
+            Run([.. rcs, "--shard", $"{number}/2", "--out", At($"{number}")]);
+        var (code, _, error) = TestShell.Run("merge", At("1"), At("2"), "--out", At("merged"));
+        Assert.That(code, Is.Zero, error);
+        Assert.That(Warnings(error), Is.EqualTo(whole));
+    }
+
+    [Test]
     [Platform("Linux")]
     [Category("Slow")]
     public void Run_Killed_ResumesToTheFilesOfAnUndisturbedOne()

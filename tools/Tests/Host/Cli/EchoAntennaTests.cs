@@ -74,6 +74,10 @@ public sealed class EchoAntennaTests : EchoFixture
         "--beam", "2,8")]
     [TestCase(2, "--antenna sinc: it has no --cosecant", "--range", "1000", "--power", "1", "--antenna", "sinc",
         "--beam", "2,8", "--cosecant", "4,30")]
+    [TestCase(2, "--cosecant -30,-5: the angles must lead away from 0 on one side, such as -5,-30", "--range", "1000",
+        "--power", "1", "--antenna", "csc2", "--beam", "2,8", "--cosecant", "-30,-5")]
+    [TestCase(2, "--cosecant -5,30: the angles must lead away", "--range", "1000", "--power", "1", "--antenna", "csc2",
+        "--beam", "2,8", "--cosecant", "-5,30")]
     [TestCase(2, "give one of gaussian, sinc, csc2, or a file with such a table", "--range", "1000", "--power", "1",
         "--antenna", "plates")]
     [TestCase(1, "plate: the target is 2.87 degrees wide at --range 100, and all of it gets the gain of the phase "

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading;
@@ -36,6 +37,32 @@ public sealed class ProgressTests
             "sweep: 100 of 100 in 25 s (100 deg)"
         }));
         Assert.That(Lines(output).Length, Is.EqualTo(100));
+    }
+
+    /// <summary>Slurm and systemd send SIGTERM, a terminal that is closed SIGHUP.</summary>
+    [TestCase("TERM")]
+    [TestCase("HUP")]
+    [Platform("Linux")]
+    public void Signal_StopsTheWorkAsCtrlCDoes(string signal)
+    {
+        var messages = new StringWriter();
+        using var cancellation = new Cancellation(Quiet(messages));
+        using (var sender = Process.Start("/bin/sh", ["-c", $"kill -{signal} {Environment.ProcessId}"]))
+            sender.WaitForExit();
+        if (IsIgnored(signal))
+        {
+            Assert.That(cancellation.IsRequested, Is.False, "under nohup a run goes on");
+            return;
+        }
+        Assert.That(() => cancellation.IsRequested, Is.True.After(5000, 10));
+        Assert.That(Lines(messages), Is.EqualTo(new[] { "stopping; send the signal again to end immediately" }));
+    }
+
+    // By those that started the tests.
+    static bool IsIgnored(string signal)
+    {
+        string mask = File.ReadLines("/proc/self/status").Single(line => line.StartsWith("SigIgn:"))[7..];
+        return (Convert.ToUInt64(mask.Trim(), 16) >> (signal == "HUP" ? 0 : 14) & 1) != 0;
     }
 
     [Test]

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Net;
 using System.Net.Sockets;
+using System.Text.RegularExpressions;
 using Glint.Editor;
 using Glint.Tests;
 using Newtonsoft.Json.Linq;
@@ -172,13 +173,26 @@ public sealed class ScreenCommandTests
         int port = ((IPEndPoint)receiver.Client.LocalEndPoint).Port;
         // A turn takes a quarter of a second. The loopback keeps what its buffer holds: the first datagrams.
         Write("    TurnsAMinute: 24", "    TurnsAMinute: 240");
-        Run("--turns", "1", "--fps", "10", "--udp", $"{port}");
+        var (text, error) = Run("--turns", "1", "--fps", "10", "--udp", $"{port}");
+        double seconds = double.Parse(Regex.Match(text, @"1 turn in (\S+) s, 4 frames").Groups[1].Value,
+            CultureInfo.InvariantCulture);
+        // It is printed in tenths: 0.44 s is the limit.
+        Assert.That(error.Contains("not in real time"), Is.EqualTo(seconds > 0.5).Or.EqualTo(seconds > 0.4));
         IPEndPoint from = null;
         var message = AsterixReader.Read(receiver.Receive(ref from)).Single();
         Assert.That((message.Index, message.Cells.Length), Is.EqualTo((0, 100)));
     }
 
+    [Test]
+    public void Stream_ThatIsSlowerThanTheClock_IsWarnedOf()
+    {
+        Assert.That(ScreenCommand.WarningOfDelay("scene", 5.4, 5), Is.Null);
+        Assert.That(ScreenCommand.WarningOfDelay("scene", 15.5, 5), Is.EqualTo("scene: the stream was not in real time: it "
+            + "took 15.50 s instead of 5.00 s; use a faster device, fewer spokes or cells, or fewer frames a second (--fps)"));
+    }
+
     [TestCase(2, "--udp host:0: give a port from 1 to 65535, or host and port", "--udp", "host:0")]
+    [TestCase(1, "UDP: cannot send to 0.0.0.0:4378 (", "--udp", "0.0.0.0:4378")]
     [TestCase(2, "--ttl", "--ttl", "3")]
     [TestCase(2, "--detect go: must be one of ca, os", "--detect", "go")]
     [TestCase(2, "--false-alarm: needs --detect CFAR", "--false-alarm", "1e-3")]
@@ -197,7 +211,7 @@ public sealed class ScreenCommandTests
         string video = Path.Combine(_folder, "video.ast"), output = Path.Combine(_folder, "taken");
         Directory.CreateDirectory(video);
         var (code, _, error) = TestShell.Run("ppi", _scene, "--asterix", video, "--out", output);
-        Assert.That(error, Does.StartWith($"glint: {video}: cannot be written: ").And.Contain("another file with --asterix"));
+        Assert.That(error.Trim(), Is.EqualTo($"glint: {video}: is a folder: name a file in it with --asterix"));
         Assert.That((code, Directory.Exists(output)), Is.EqualTo((1, false)));
         Directory.CreateDirectory(Path.Combine(output, "picture.png"));
         (code, _, error) = TestShell.Run("ppi", _scene, "--turns", "1", "--fps", "2", "--out", output);
@@ -209,17 +223,42 @@ public sealed class ScreenCommandTests
     public void Recording_OfARunThatIsRefusedOrStopped_IsTheOlderOne()
     {
         string video = Path.Combine(_folder, "video.ast"), rows = Path.Combine(_folder, "results.csv");
-        File.WriteAllText(video, "older");
+        byte[] older = [240, 1, 2, 3];
+        File.WriteAllBytes(video, older);
         File.WriteAllText(rows, "");
         string[] line = [_scene, "--turns", "1", "--fps", "5", "--asterix", video, "--out", _folder];
         var (code, _, error) = TestShell.Run(["ppi", .. line]);
         Assert.That(error, Does.Contain("holds results.csv"));
-        Assert.That((code, File.ReadAllText(video)), Is.EqualTo((1, "older")));
+        Assert.That((code, File.ReadAllBytes(video)), Is.EqualTo((1, older)));
 
         File.Delete(rows);
         Assert.That(Batch.Execute(CommandLine.Parse(Commands.Ppi, line), new CancelAfter(2)), Is.EqualTo(Batch.Cancelled));
         Assert.That(Directory.GetFiles(_folder), Is.EqualTo(new[] { video }));
-        Assert.That(File.ReadAllText(video), Is.EqualTo("older"));
+        Assert.That(File.ReadAllBytes(video), Is.EqualTo(older));
+    }
+
+    [Test]
+    public void Recording_InPlaceOfTheScene_OrOfAnotherFile_IsRefusedBeforeWork()
+    {
+        string scene = File.ReadAllText(_scene), output = Path.Combine(_folder, "none");
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--asterix", _scene, "--out", output);
+        Assert.That((code, error.Trim()), Is.EqualTo((1, $"glint: {_scene}: is there, and is no radar video that could be "
+            + "replaced: name another file with --asterix")));
+        Assert.That((File.ReadAllText(_scene), Directory.Exists(output)), Is.EqualTo((scene, false)));
+    }
+
+    [TestCase("picture.png")]
+    [TestCase("results.json")]
+    [TestCase("video.npz")]
+    [TestCase("video.csv")]
+    [TestCase("detections.csv")]
+    public void Recording_InPlaceOfAFileOfTheResults_IsRefused(string name)
+    {
+        string path = Path.Combine(_folder, name);
+        var (code, _, error) = TestShell.Run("ppi", _scene, "--asterix", path, "--out", _folder);
+        Assert.That((code, error.Trim()), Is.EqualTo((2, $"glint: --asterix {path}: is a file of the results: name "
+            + "another one (see glint ppi --help)")));
+        Assert.That(Directory.GetFiles(_folder), Is.Empty);
     }
 
     [Test]
@@ -304,10 +343,11 @@ public sealed class ScreenCommandTests
         File.WriteAllText(_scene, text);
     }
 
-    void Run(params string[] options)
+    (string text, string error) Run(params string[] options)
     {
         var (code, text, error) = TestShell.Run(["ppi", _scene, .. options, "--out", _folder]);
         Assert.That(code, Is.Zero, error);
         Assert.That(text, Does.Contain("main thread").And.Contain("kernels on the device"));
+        return (text, error);
     }
 }

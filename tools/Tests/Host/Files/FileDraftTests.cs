@@ -40,6 +40,20 @@ public sealed class FileDraftTests
         Assert.That(Directory.GetFiles(_folder), Is.EqualTo(new[] { _file }));
     }
 
+    /// <summary>Both would write one draft: the second is refused before its work, and the first is whole.</summary>
+    [Test]
+    public void Draft_BesideAnotherOneOfTheSameFile_IsRefused()
+    {
+        using (var draft = new FileDraft(_file))
+        {
+            draft.Stream.Write("new"u8);
+            Assert.That(() => new FileDraft(_file), Throws.InstanceOf<IOException>());
+            Assert.That(() => FileDraft.Check(_file), Throws.InstanceOf<IOException>());
+            draft.Finish();
+        }
+        Assert.That(File.ReadAllText(_file), Is.EqualTo("new"));
+    }
+
     [Test]
     public void Output_WhoseWritingFails_LeavesTheOlderFile()
     {

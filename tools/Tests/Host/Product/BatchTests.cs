@@ -72,6 +72,37 @@ public sealed class BatchTests
     }
 
     [Test]
+    public void Sweep_OfARowAtAnotherAngle_IsNotResumed()
+    {
+        string[] sweep = { "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,10,20", "--size",
+            "64x36", "--out", _folder };
+        Batch.Execute(CommandLine.Parse(Commands.Sweep, sweep), new CancelAfterAPose());
+        string partial = Path.Combine(_folder, "results.partial");
+        File.WriteAllText(partial, File.ReadAllText(partial).Replace("\"angle_deg\":0,", "\"angle_deg\":5,"));
+        File.Delete(Path.Combine(_folder, "results.csv"));
+        Call(Commands.Sweep, sweep.Append("--resume").ToArray());
+        Assert.That(_exitCode, Is.EqualTo(1));
+        Assert.That(Errors.Single(), Does.EndWith($"{partial}: row 1 is of 5 deg instead of 0 deg: it was changed; restore it, "
+            + "or leave --resume out"));
+    }
+
+    [Test]
+    public void Merge_WarnsOfUndersampledPosesAsASweepDoes()
+    {
+        string At(string name) => Path.Combine(_folder, name);
+        string[] Sweep(string name) => new[] { "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles",
+            "0,10", "--size", "64x36", "--out", At(name) };
+        Call(Commands.Sweep, Sweep("whole"));
+        for (int number = 1; number <= 2; number++)
+            Call(Commands.Sweep, Sweep($"{number}").Concat(new[] { "--shard", $"{number}/2" }).ToArray());
+        string whole = _log.First(line => line.type == LogType.Warning).text;
+        Assert.That(whole, Does.Contain(" in 2 of 2 poses (column undersampled)"));
+        _log.Clear();
+        Call(Commands.Merge, At("1"), At("2"), "--out", At("merged"));
+        Assert.That(_log.Single(line => line.type == LogType.Warning).text, Is.EqualTo(whole));
+    }
+
+    [Test]
     public void Sweep_WithoutSamplingError_LeavesItEmptyAndIsNotMixedWithAnother()
     {
         string[] sweep = { "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,10",

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Runtime.CompilerServices;
@@ -132,12 +133,56 @@ public sealed class GeneratedAssetsTests
     }
 
     [Test]
+    public void Sea_OverOneOfMoreSnapshots_NamesThoseThatStay()
+    {
+        Execute(Commands.Sea, "--out", "Assets/Sea", "--cells", "8", "--times", "0,5,10,15");
+        Assert.That(_project.Warnings, Is.Empty);
+        Execute(Commands.Sea, "--out", "Assets/Sea", "--cells", "8", "--times", "0,5,10");
+        Execute(Commands.Sea, "--out", "Assets/Sea", "--cells", "8");
+        Assert.That(_project.Warnings, Is.EqualTo(new[] { "Snapshot 04 is", "Snapshot 02 to Snapshot 04 are" }.Select(
+            snapshots => $"Assets/Sea: {snapshots} of an earlier sea: remove what is not used any more, or write the new "
+                + "sea to another folder")));
+    }
+
+    [Test]
+    public void Assets_WrittenFromOutsideOfAProject_AreNamedByTheirPath()
+    {
+        Assert.That(Execute(Commands.Ship).Single(), Does.StartWith("Packages/com.glint.meshes/Ship/Ship.prefab: "));
+        Directory.SetCurrentDirectory(Path.GetTempPath());
+        Assert.That(Execute(Commands.Ship).Single(), Does.StartWith($"{_project.Root}/Meshes/Ship/Ship.prefab: "));
+        Assert.That(Execute(Commands.Reflector)[0],
+            Is.EqualTo($"{_project.Root}/Meshes/CornerReflector/Corner Reflector.prefab"));
+        Assert.That(Execute(Commands.Sea, "--out", $"{_project.Root}/Assets/Sea", "--cells", "8")[0],
+            Does.StartWith($"{_project.Root}/Assets/Sea: height factor "));
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    [Platform("Linux")]
+    public void Mesh_ThatCannotBeWritten_IsRefusedWithTheWayOut(bool isDiskFull)
+    {
+        Directory.CreateDirectory("Assets/Ship");
+        if (isDiskFull)
+            File.CreateSymbolicLink($"Assets/Ship/.Ship.asset.{Environment.ProcessId}.tmp", "/dev/full");
+        else
+            Directory.CreateDirectory("Assets/Ship/Ship.asset");
+        Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Ship, "--out", "Assets/Ship", "--beam", "13"))
+            .Message, Does.StartWith("Assets/Ship/Ship.asset: cannot be written: ")
+            .And.EndsWith(": free the disk or the folder, or name another folder with --out"));
+    }
+
+    [Test]
     public void Sea_OutsideOfTheProject_IsRefused() =>
         Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Sea, "--out", Path.GetTempPath())).Message,
             Does.Contain("outside of the Unity project"));
 
-    static void Execute(Command command, params string[] arguments) =>
-        Assert.That(Batch.Execute(CommandLine.Parse(command, arguments), new Silent()), Is.Zero);
+    // Returns what is printed.
+    static List<string> Execute(Command command, params string[] arguments)
+    {
+        var lines = new Lines();
+        Assert.That(Batch.Execute(CommandLine.Parse(command, arguments), lines), Is.Zero);
+        return lines.Printed;
+    }
 
     bool Same(string file) => File.ReadAllBytes(Path.Combine(_project.Root, file)).AsSpan()
         .SequenceEqual(File.ReadAllBytes(Path.Combine(_real, file)));
@@ -149,8 +194,10 @@ public sealed class GeneratedAssetsTests
 
     static string ThisFolder([CallerFilePath] string file = "") => Path.GetDirectoryName(file);
 
-    sealed class Silent : IProgressSink
+    sealed class Lines : IProgressSink
     {
+        public List<string> Printed { get; } = [];
+
         public System.Threading.CancellationToken Cancel => default;
 
         public void Start(string what, int total, int done = 0) { }
@@ -161,6 +208,6 @@ public sealed class GeneratedAssetsTests
 
         public void Finish() { }
 
-        public void Print(string line) { }
+        public void Print(string line) => Printed.Add(line);
     }
 }

@@ -185,6 +185,27 @@ public sealed class PipelineCacheTests
     }
 
     [Test]
+    public void Compiling_IsRaisedForAKernelThatNoRunHasCompiled()
+    {
+        var devices = new List<string>();
+        void Add(DeviceInfo device) => devices.Add(device.Name);
+        ComputeProgram.Compiling += Add;
+        try
+        {
+            for (int run = 0; run < 2; run++)
+            {
+                using var device = OpenWithFolder();
+                Mark(device);
+                Assert.That(devices, Is.EqualTo(new[] { device.Info.Name }), $"run {run}");
+            }
+        }
+        finally
+        {
+            ComputeProgram.Compiling -= Add;
+        }
+    }
+
+    [Test]
     public void Dispatch_WithoutAWritableFolder_RunsTheKernel()
     {
         using var device = OpenWithFolder();

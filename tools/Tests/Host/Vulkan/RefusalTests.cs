@@ -31,6 +31,13 @@ public sealed class RefusalTests
         Assert.That(error.Message, Does.StartWith("no Vulkan device \"Voodoo 2\"").And.Contain(_device.Info.Name));
     }
 
+    // Names of devices have numbers, such as the versions in "llvmpipe (LLVM 15.0.6, 256 bits)".
+    [TestCase("256")]
+    [TestCase("99999999999")]
+    public void Selector_OfDigits_IsAnIndex(string selector) =>
+        Assert.That(Assert.Throws<VulkanException>(() => VulkanDevice.Open(selector)).Message,
+            Does.StartWith($"no Vulkan device \"{selector}\"; choose an index or a part of a name of: 0 "));
+
     [Test]
     public void NoDevice_WithAVariableThatHidesTheDrivers_BlamesTheVariable()
     {
