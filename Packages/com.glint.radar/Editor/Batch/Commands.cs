@@ -14,7 +14,8 @@ namespace Glint.Editor
         /// <summary>Description of INPUT.</summary>
         public const string InputHelp =
             "A scene (.unity) or a mesh file (.obj, .stl). A scene is given by its path on disk or by its asset path: "
-            + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
+            + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity. Commands for the mesh files of the examples "
+            + "are on the page batch.md: ship.stl is that of glint ship --stl ship.stl.";
 
         const string SceneHelp = "A scene (.unity), by its path on disk or by its asset path: "
             + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
@@ -63,9 +64,9 @@ namespace Glint.Editor
                         "The published experiment, 46 poses."),
                     Example("sweep Scenes/SeaState6.unity --snapshots 1:10", "The ten stored snapshots of a sea."),
                     Example("sweep ship.stl --angles 0:345:15 --distance 500 --fov 10 --tolerance 1 --out ship",
-                        "The mesh of glint ship --stl ship.stl, in a full circle at 500 m, to 1 dB."),
+                        "A mesh file in a full circle at 500 m, to 1 dB."),
                     Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:345:15 --grazing 5,10,20 "
-                            + "--distance 50:200:50 --tolerance 1",
+                            + "--distance 500:2000:500 --tolerance 1",
                         "A ship in a full circle, at three grazing angles and four ranges: 288 poses."),
                     Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:359:1 --shard 2/4 --device 1 "
                             + "--out ship/2",
@@ -141,7 +142,7 @@ namespace Glint.Editor
             Examples = new[]
                 {
                     Example("rcs ship.stl --azimuth 0:355:5 --frequency 10e9 --polarisation vv,hh --tolerance 3 --out ship-rcs",
-                        "A full circle at 10 GHz of the mesh of glint ship --stl ship.stl, to 3 dB."),
+                        "A full circle at 10 GHz, to 3 dB."),
                     Example("rcs plate.obj --azimuth -60:60:1 --polarisation vv,hh --edges off --tolerance 0.02",
                         "Pure physical optics of a plate, more accurate."),
                     Example("rcs boat.obj --frequency 9e9:9.5e9:2e6 --elevation 3 --material \"*=itu_wood\"",
@@ -180,7 +181,7 @@ namespace Glint.Editor
             Examples = new[]
                 {
                     Example("echo ship.stl --azimuth 30 --bandwidth 300e6 --polarisation vv --tolerance 1 --out ship-echo",
-                        "A range profile with bins of 0.5 m of the mesh of glint ship --stl ship.stl."),
+                        "A range profile of a ship with bins of 0.5 m."),
                     Example("echo ship.stl --azimuth 0:355:5 --bandwidth 150e6 --window hamming --polarisation vv "
                             + "--tolerance 3 --floor 0",
                         "A profile every 5 degrees; glint report shows them as a waterfall."),
@@ -215,11 +216,12 @@ namespace Glint.Editor
             UnityMethod = "Glint.Editor.Batch.Isar",
             Examples = new[]
                 {
-                    Example("isar ship.stl --azimuth 29:31:0.01 --bandwidth 300e6 --polarisation vv --tolerance 3 --floor 0",
-                        "An image with bins of 0.5 m in range and 0.43 m in cross range, of the mesh of glint ship "
-                            + "--stl ship.stl."),
-                    Example("isar ship.stl --azimuth 30 --elevation 20 --range 2000 --track -35:35:0.35 "
-                        + "--bandwidth 300e6 --polarisation vv --tolerance 3 --floor 0", "Spotlight SAR from a track of 70 m, 2 km away.")
+                    Example("isar boat.obj --azimuth 25:35:0.25 --elevation 5 --frequency 3e9 --bandwidth 600e6 "
+                            + "--polarisation vv",
+                        "An image with bins of 0.25 m in range and 0.28 m in cross range."),
+                    Example("isar boat.obj --azimuth 30 --elevation 20 --range 500 --track -40:40:1 --frequency 3e9 "
+                            + "--bandwidth 600e6 --polarisation vv",
+                        "Spotlight SAR from a track of 80 m, 500 m away.")
                 }
         };
 
