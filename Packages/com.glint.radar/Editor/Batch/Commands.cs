@@ -182,9 +182,9 @@ namespace Glint.Editor
                 {
                     Example("echo ship.stl --azimuth 30 --bandwidth 300e6 --polarisation vv --tolerance 1 --out ship-echo",
                         "A range profile of a ship with bins of 0.5 m."),
-                    Example("echo ship.stl --azimuth 0:355:5 --bandwidth 150e6 --window hamming --polarisation vv "
-                            + "--tolerance 3 --floor 0",
-                        "A profile every 5 degrees; glint report shows them as a waterfall."),
+                    Example("echo boat.obj --azimuth 0:180:6 --bandwidth 600e6 --window hamming --polarisation vv "
+                            + "--out boat-echo",
+                        "A profile every 6 degrees; glint report shows them as a waterfall."),
                     Example("echo boat.obj --frequency 9.41e9 --range 5000 --power 25000 --gain 30 --noise-figure 5 "
                             + "--mat --sigmf",
                         "Received power at 5 km with noise, for MATLAB and as a SigMF recording too."),
