@@ -54,7 +54,7 @@ sealed class HelpText
         foreach (var group in command.Options.GroupBy(option => option.Group))
         {
             help.Heading(group.Key);
-            help.Table(group.Select(option => (Form(option), Explanation(option))), nameWidth);
+            help.Table(group.Select(option => (Form(option), Explanation(command, option))), nameWidth);
         }
         help.AddExamples(command.Examples);
         if (command.UnityMethod != null)
@@ -72,9 +72,11 @@ sealed class HelpText
 
     static string Form(Option option) => $"{option.Flag} {option.ValueName}".TrimEnd();
 
-    static string Explanation(Option option)
+    // An option that must be given has no default.
+    static string Explanation(Command command, Option option)
     {
-        var facts = new[] { option.DefaultText == null ? null : "default " + option.DefaultText, option.Range }
+        bool hasDefault = option.DefaultText != null && !command.Required.Contains(option);
+        var facts = new[] { hasDefault ? "default " + option.DefaultText : null, option.Range }
             .Where(fact => fact != null).ToArray();
         return facts.Length == 0 ? option.Help : $"{option.Help} [{string.Join("; ", facts)}]";
     }

@@ -25,8 +25,7 @@ sealed class BenchCommand(Terminal terminal)
         OutputFile json = OutputFile.Of(line, Options.Json), sceneFile = OutputFile.Of(line, Options.WriteScene),
             plot = OutputFile.Of(line, Options.Accuracy) ?? OutputFile.Of(line, Options.Tubes);
         var plots = line.IsGiven(Options.CrossSectionPlots)
-            ? Array.ConvertAll(s_crossSectionPlots, name => new OutputFile(Options.CrossSectionPlots.Flag,
-                Path.Combine(line.Get(Options.CrossSectionPlots), name)))
+            ? OutputFile.In(Options.CrossSectionPlots.Flag, line.Get(Options.CrossSectionPlots), s_crossSectionPlots)
             : null;
         var loaded = LoadedScene.Open(line);
         try

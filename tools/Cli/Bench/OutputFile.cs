@@ -34,12 +34,23 @@ sealed class OutputFile
         return new OutputFile(option.Flag, path);
     }
 
+    /// <summary>Files in a folder, which is created if missing.</summary>
+    /// <param name="flag">Option that names the folder, for messages.</param>
+    /// <exception cref="GlintException">The folder or a file cannot be written.</exception>
+    public static OutputFile[] In(string flag, string folder, string[] names)
+    {
+        Try(flag, folder, () => Directory.CreateDirectory(folder));
+        return Array.ConvertAll(names, name => new OutputFile(flag, System.IO.Path.Combine(folder, name)));
+    }
+
     public string Path => _path;
 
     /// <exception cref="GlintException">It cannot be written.</exception>
     public void Write(Action<Stream> content) => Try(() => FileDraft.Write(_path, content));
 
-    void Try(Action work)
+    void Try(Action work) => Try(_flag, _path, work);
+
+    static void Try(string flag, string path, Action work)
     {
         try
         {
@@ -49,7 +60,7 @@ sealed class OutputFile
             when (error is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
             throw new GlintException(
-                $"{_flag} {_path}: cannot be written: {error.Message.TrimEnd('.')}; name another file", error);
+                $"{flag} {path}: cannot be written: {error.Message.TrimEnd('.')}; name another file", error);
         }
     }
 }

@@ -159,7 +159,11 @@ namespace Glint.Editor
                     warnings.Add(row.Result);
                     progress.Print(PoseTable.Row(plan, row));
                     if (plan == SweepPlan.Single)
+                    {
                         progress.Print(PoseTable.Details(row.Result));
+                        if (row.Result.Echo != null)
+                            progress.Print(PoseTable.Details(row.Result.Echo));
+                    }
                     progress.Advance(run.Done, plan == SweepPlan.Single ? null : row.Pose.ToString());
                 }
             }
@@ -240,7 +244,7 @@ namespace Glint.Editor
         static string Row(RadarResult result) => string.Format(CultureInfo.InvariantCulture,
             "{0,13:0.000}  {1,9}  {2,9}  {3,9}",
             result.Amplitude,
-            result.AmplitudeDb.HasValue ? Decibels(result.AmplitudeDb.Value) : "-",
+            Decibels(result.AmplitudeDb),
             result.RaysReceived,
             result.RaysHit);
 
@@ -256,6 +260,15 @@ namespace Glint.Editor
                         + (sampling.Undersampled ? "not met" : "met"))
                 : ResultColumn.NotEstimated)
             + (result.RayArea is double area ? FormattableString.Invariant($"; {area:g6} m2 a ray") : "");
+
+        /// <summary>Cross section, clutter and signal to clutter of a pose whose sea has clutter, in VV and HH.</summary>
+        public static string Details(PoseEcho echo) => string.Join("; ", Polarisation.All
+            .Where(it => it.Sent == it.Received)
+            .Select(it => $"{it.Name.ToUpperInvariant()} {Decibels(echo.SigmaDbsm(it))} dBsm, "
+                + $"clutter {Decibels(echo.ClutterDbsm(it))} dBsm, "
+                + $"signal to clutter {Decibels(echo.SignalToClutterDb(it))} dB"));
+
+        static string Decibels(double? value) => value.HasValue ? Decibels(value.Value) : "-";
 
         // + 0 turns -0, rounded from slightly below 0 dB, into 0.
         static string Decibels(double value) =>

@@ -14,7 +14,8 @@ namespace Glint.Editor
         /// <summary>Description of INPUT.</summary>
         public const string InputHelp =
             "A scene (.unity) or a mesh file (.obj, .stl). A scene is given by its path on disk or by its asset path: "
-            + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
+            + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity. Commands for the mesh files of the examples "
+            + "are on the page batch.md: ship.stl is that of glint ship --stl ship.stl.";
 
         const string SceneHelp = "A scene (.unity), by its path on disk or by its asset path: "
             + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
@@ -62,16 +63,16 @@ namespace Glint.Editor
                     Example("sweep Scenes/CornerReflector.unity --target \"Corner Reflector\" --angles 0:45:1",
                         "The published experiment, 46 poses."),
                     Example("sweep Scenes/SeaState6.unity --snapshots 1:10", "The ten stored snapshots of a sea."),
-                    Example("sweep ship.stl --unit mm --up z --angles 0:345:15 --distance 500 --fov 20 --out ship",
-                        "A mesh in millimetres with z up, in a full circle at 500 m."),
-                    Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:345:15 --grazing 1,2,5 "
-                            + "--distance 500:2000:500",
+                    Example("sweep ship.stl --angles 0:345:15 --distance 500 --fov 10 --tolerance 1 --out ship",
+                        "A mesh file in a full circle at 500 m, to 1 dB."),
+                    Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:345:15 --grazing 5,10,20 "
+                            + "--distance 500:2000:500 --tolerance 1",
                         "A ship in a full circle, at three grazing angles and four ranges: 288 poses."),
                     Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:359:1 --shard 2/4 --device 1 "
                             + "--out ship/2",
                         "The second quarter, on the second GPU; --resume continues it after a kill."),
                     Example("sweep plate.obj --angles -10,-5,0,5,10 --grazing 0 --fov 5 --size 640x360",
-                        "Five angles of an upright plate seen head-on, fewer rays.")
+                        "Five angles of an upright plate, which returns rays at 0 only; fewer rays.")
                 }
         };
 
@@ -140,11 +141,11 @@ namespace Glint.Editor
             UnityMethod = "Glint.Editor.Batch.Rcs",
             Examples = new[]
                 {
-                    Example("rcs ship.stl --unit mm --up z --azimuth 0:359.5:0.5 --frequency 10e9 --out ship",
-                        "A full circle at 10 GHz, all polarisations, to 0.1 dB."),
+                    Example("rcs ship.stl --azimuth 0:355:5 --frequency 10e9 --polarisation vv,hh --tolerance 3 --out ship-rcs",
+                        "A full circle at 10 GHz, to 3 dB."),
                     Example("rcs plate.obj --azimuth -60:60:1 --polarisation vv,hh --edges off --tolerance 0.02",
                         "Pure physical optics of a plate, more accurate."),
-                    Example("rcs boat.obj --frequency 9e9:9.5e9:2e6 --elevation 3 --material *=itu_wood",
+                    Example("rcs boat.obj --frequency 9e9:9.5e9:2e6 --elevation 3 --material \"*=itu_wood\"",
                         "Many frequencies; all surfaces of one published material."),
                     Example("rcs boat.obj --azimuth 30 --receivers -150:150:1",
                         "A bistatic sweep from one illumination."),
@@ -179,11 +180,11 @@ namespace Glint.Editor
             UnityMethod = "Glint.Editor.Batch.Echo",
             Examples = new[]
                 {
-                    Example("echo ship.stl --unit mm --up z --azimuth 30 --bandwidth 300e6 --out ship",
+                    Example("echo ship.stl --azimuth 30 --bandwidth 300e6 --polarisation vv --tolerance 1 --out ship-echo",
                         "A range profile of a ship with bins of 0.5 m."),
-                    Example("echo ship.stl --unit mm --up z --azimuth 0:359:1 --bandwidth 150e6 --window hamming "
-                            + "--polarisation vv",
-                        "A profile a degree; glint report shows them as a waterfall."),
+                    Example("echo boat.obj --azimuth 0:180:6 --bandwidth 600e6 --window hamming --polarisation vv "
+                            + "--out boat-echo",
+                        "A profile every 6 degrees; glint report shows them as a waterfall."),
                     Example("echo boat.obj --frequency 9.41e9 --range 5000 --power 25000 --gain 30 --noise-figure 5 "
                             + "--mat --sigmf",
                         "Received power at 5 km with noise, for MATLAB and as a SigMF recording too."),
@@ -215,10 +216,12 @@ namespace Glint.Editor
             UnityMethod = "Glint.Editor.Batch.Isar",
             Examples = new[]
                 {
-                    Example("isar ship.stl --unit mm --up z --azimuth 29:31:0.01 --bandwidth 300e6 --polarisation vv",
-                        "An image with bins of 0.5 m in range and 0.43 m in cross range."),
-                    Example("isar ship.stl --unit mm --up z --azimuth 30 --elevation 20 --range 2000 --track -35:35:0.35 "
-                        + "--bandwidth 300e6 --polarisation vv", "Spotlight SAR from a track of 70 m, 2 km away.")
+                    Example("isar boat.obj --azimuth 25:35:0.25 --elevation 5 --frequency 3e9 --bandwidth 600e6 "
+                            + "--polarisation vv",
+                        "An image with bins of 0.25 m in range and 0.28 m in cross range."),
+                    Example("isar boat.obj --azimuth 30 --elevation 20 --range 500 --track -40:40:1 --frequency 3e9 "
+                            + "--bandwidth 600e6 --polarisation vv",
+                        "Spotlight SAR from a track of 80 m, 500 m away.")
                 }
         };
 
@@ -356,7 +359,7 @@ namespace Glint.Editor
             Examples = new[]
                 {
                     Example("verify Scenes/CornerReflector.unity", "Its 676 received rays, and some 100,000 of all."),
-                    Example("verify ship.stl --unit mm --up z --distance 10000 --fov 0.3 --json ship.json",
+                    Example("verify ship.stl --distance 10000 --fov 0.3 --json ship.json",
                         "A mesh from 10 km, with the figures in a file.")
                 }
         };

@@ -94,7 +94,7 @@ namespace Glint.Editor
                 Group = Group,
                 Range = SweepAxis.Range.List.Range.ToString(),
                 Help = "Distance in metres from the phase centre to radar and receiver, for a spherical wave. Without "
-                    + "it: a plane wave and the far field."
+                    + "it: a plane wave and the far field. glint isar takes it with --track only."
             };
 
         /// <summary>Bend of edges above which they are sharp, degrees.</summary>
@@ -112,8 +112,9 @@ namespace Glint.Editor
                 Join = (before, more) => before.Concat(more).ToArray(),
                 Help = "Material of the surface NAME (usemtl of an OBJ file, the RadarMaterial of a scene), or of all "
                     + "others with *: metal, with layers metal,e',e'',mu',mu'',t outermost first (t in metres), a "
-                    + "half-space open,e',e'',mu',mu'', or the name of a published material. Without it: metal, or "
-                    + "that of the scene. May be given more than once."
+                    + "half-space open,e',e'',mu',mu'', or the name of a published material. Put * into quotes, "
+                    + "which keep it from the shell: \"*=itu_wood\". Without it: metal, or that of the scene. May be "
+                    + "given more than once."
             };
 
         /// <summary>Whether the contributions of parts are written.</summary>
@@ -123,8 +124,10 @@ namespace Glint.Editor
 
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "DIR", ResultGroup,
-            "Folder for the files of results: of glint rcs rcs.csv, rcs.npz, results.json and those of --contributions. It "
-                + "is created with its parents if missing.");
+            "Folder for the files of results, created with its parents if missing. They are results.json; of glint rcs "
+                + "rcs.csv, rcs.npz and those of --contributions; of glint echo profile.csv, echo.npz, responses.csv and "
+                + "those of its options; of glint isar image.csv, image.npz, a PNG file for each polarisation, echo.npz and "
+                + "responses.npy.");
 
         /// <summary>Rows that are computed in double precision too; 0 when not given.</summary>
         public static readonly Option<int> Reference =

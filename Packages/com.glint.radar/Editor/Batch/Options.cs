@@ -336,8 +336,9 @@ namespace Glint.Editor
                 Excludes = new Option[] { Reference, Peers, TimedSweep, TimedFacets, WriteScene }
                     .Select(option => (option, "cross sections are compared with those of uniform points")).ToArray(),
                 Help = "Instead: the rays that cross sections take to 0.1 dB at these azimuths, in degrees, and at "
-                    + "--grazing, by ray tubes and by uniform points, each with --rounds random grids. Without INPUT: "
-                    + "of a metal sphere of 1 m radius with facets to 1/50 wavelength."
+                    + "--grazing, by ray tubes and by uniform points, each with --rounds random grids, three "
+                    + "at least. Without a GPU it takes minutes. Without INPUT: of a metal sphere of 1 m radius with "
+                    + "facets to 1/50 wavelength."
             };
 
         /// <summary>The GPU to work on: index or part of the name; null when not given.</summary>
@@ -362,8 +363,8 @@ namespace Glint.Editor
         /// <summary>Folder for the plots of cross sections beside published ones; null when not given.</summary>
         public static readonly Option<string> CrossSectionPlots = OwnScenes("rcs-plots", "[DIR]", ".",
             "Instead: cross sections of a plate with fringe fields beside the method of moments, and of a sphere "
-                + "beside Mie's series. DIR receives the plots, rcs-plate.svg and rcs-sphere.svg; without it: the "
-                + "current folder.",
+                + "beside Mie's series. DIR receives the plots, rcs-plate.svg and rcs-sphere.svg, and is created if "
+                + "missing; without it: the current folder.",
             (Accuracy, OwnRadars), (Tubes, OwnRadars), (Rounds, "each direction is traced once"),
             (Json, "it writes plots alone"));
 

@@ -165,6 +165,20 @@ public sealed class ClutterCommandTests
     }
 
     [Test]
+    public void Run_OfASeaWithClutter_PrintsTheFiguresOfItsFiles()
+    {
+        var (code, output, error) = TestShell.Run("run", Scene, "--size", "192x108", "--clutter", "on", "--out", At("on"));
+        Assert.That(code, Is.Zero, error);
+        var row = Rows("on", "results.csv").Single();
+        foreach (string polarisation in new[] { "vv", "hh" })
+            Assert.That(output, Does.Contain(string.Format(CultureInfo.InvariantCulture,
+                "{0} {1:0.00} dBsm, clutter {2:0.00} dBsm, signal to clutter - dB", polarisation.ToUpperInvariant(),
+                Number(row, $"sigma_{polarisation}_dbsm"), Number(row, $"sigma_clutter_{polarisation}_dbsm"))));
+        (_, output, _) = TestShell.Run("run", Scene, "--size", "192x108", "--clutter", "off");
+        Assert.That(output, Does.Not.Contain("dBsm"));
+    }
+
+    [Test]
     public void Report_HasTheRows()
     {
         Run("--clutter", "on", "--grazing", "1,10", "--out", At("out"));

@@ -51,6 +51,24 @@ public sealed class CrossSectionPlotTests
     }
 
     [Test]
+    public void Folder_OfThePlots_IsMade()
+    {
+        string parent = Directory.CreateTempSubdirectory("glint-plots-").FullName,
+            folder = Path.Combine(parent, "figures", "rcs");
+        try
+        {
+            OutputFile.In("--rcs-plots", folder, ["a.svg"]).Single().Write(stream => stream.WriteByte(1));
+            Assert.That(File.Exists(Path.Combine(folder, "a.svg")));
+            Assert.That(() => OutputFile.In("--rcs-plots", Path.Combine(folder, "a.svg"), ["b.svg"]),
+                Throws.TypeOf<GlintException>().With.Message.StartsWith("--rcs-plots ").And.Message.Contains("a.svg"));
+        }
+        finally
+        {
+            Directory.Delete(parent, true);
+        }
+    }
+
+    [Test]
     public void Table_ThatIsNotThere_IsNamed() => Assert.That(() => PublishedCrossSections.Read("cube"),
         Throws.TypeOf<GlintException>().With.Message.Contains("cube.csv: the published table is missing"));
 }

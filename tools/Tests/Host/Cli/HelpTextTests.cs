@@ -17,7 +17,8 @@ public sealed class HelpTextTests
             {
                 Assert.That(help, Does.Contain(Flat($"{option.Flag} {option.ValueName} {option.Help}")));
                 if (option.DefaultText != null)
-                    Assert.That(help, Does.Contain($"[default {option.DefaultText}; {option.Range}]"));
+                    Assert.That(help, Does.Contain(command.Required.Contains(option) ? $"[{option.Range}]"
+                        : $"[default {option.DefaultText}; {option.Range}]"));
             }
         }
     }
