@@ -154,8 +154,7 @@ namespace Glint.Tests
         public void Trace_ShipMadeByOtherMeasures_IsSeen()
         {
             var ship = Child("Ship").gameObject.AddComponent<Ship>();
-            ship.gameObject.AddComponent<MeshFilter>().sharedMesh = ShipFigures.Make(ship.Settings);
-            ship.gameObject.AddComponent<MeshRenderer>();
+            ship.GetComponent<MeshFilter>().sharedMesh = ShipFigures.Make(ship.Settings);
             LookAtShip(ship.transform);
             AssertNextRowShows(() =>
             {
