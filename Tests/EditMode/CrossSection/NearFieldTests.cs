@@ -63,7 +63,7 @@ namespace Glint.Tests
             const double a = 0.3, b = 0.2;
             var pose = PoseOf(CrossSectionTargets.Plate(a, b), 60, 40, PublishedRow.Aspect(60, 40),
                 PublishedRow.Aspect(75, -30), PublishedRow.Aspect(110, 20));
-            pose.Range = 1.5;
+            (pose.Range, pose.ToleranceDb) = (1.5, 0.02);
             var result = Tracer.Trace(pose);
             for (int i = 0; i < pose.Receivers.Length; i++)
             {
