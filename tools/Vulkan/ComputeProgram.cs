@@ -200,14 +200,16 @@ public sealed unsafe class ComputeProgram : IDisposable
             ulong cache = CreateCache();
             try
             {
-                if (!_cacheFile.IsKnown)
+                bool isKnown = _cacheFile.IsKnown;
+                if (!isKnown)
                     Compiling?.Invoke(_device.Info);
                 VulkanException.Check(
                     Native.vkCreateComputePipelines(_device.Handle, cache, 1, &info, null, out ulong pipeline),
                     $"compile kernel {Name} on {_device.Info.Name}");
                 if (cache != 0)
                     SaveCache(cache);
-                _cacheFile.Mark();
+                if (!isKnown)
+                    _cacheFile.Mark();
                 return pipeline;
             }
             finally

@@ -9,9 +9,6 @@
 // thin parts of patches, and strips that a second bounce meets at grazing incidence, beside the line where patches meet. One
 // thread a ray.
 
-// Phase, rad, below which it is slow along an outline through a cell.
-static const float SLOW_PHASE = 3.0;
-
 // Distance of a ray from the outline beside which it looks, on the side of the patch: in sides of the cell, and in places on
 // the grid, which are rounded.
 static const float BESIDE = 1.0 / 1024.0, ROUNDED_BESIDE = 1.0e-6;
@@ -55,13 +52,15 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     {
         uint receivers = ReceiversOf(tube, at);
         Sign(tube, receivers);
-        bool isMet = IsMet(corners, tube),
-            isSlow = _WaveNumber * SideOfCell(cell) * SlopeAlong(tube, receivers, along) < SLOW_PHASE;
+        // A phase is slow where it thins nothing.
+        bool isMet = IsMet(corners, tube), isSlow = Thinning(SlopeAlong(tube, receivers, along), SideOfCell(cell)) == 1.0;
         if (!isMet || isSlow)
         {
             float strength = StrengthAt(tube, at, receivers) * WeightAt(tube, at, receivers);
-            InterlockedMax(_Centres[centre + 1], isMet ? 0 : asuint(strength));
-            InterlockedMax(_Centres[centre + 2], isSlow ? asuint(strength) : 0);
+            if (!isMet)
+                InterlockedMax(_Centres[centre + 1], asuint(strength));
+            if (isSlow)
+                InterlockedMax(_Centres[centre + 2], asuint(strength));
         }
         if (!ScatterTube(tube, at))
             break;

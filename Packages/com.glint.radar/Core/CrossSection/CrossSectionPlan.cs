@@ -145,17 +145,17 @@ namespace Glint.Core
         /// <exception cref="System.FormatException">It is not there, or damaged.</exception>
         public static CrossSectionPlan Of(SweepIdentity identity)
         {
-            double[] Find(string name) => identity.Entries.FirstOrDefault(entry => entry.Key == name)
-                .Value?.Split(',').Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
-            double[] Require(string name) => Find(name) ?? throw new System.FormatException($"it has no {name}");
+            double[] Require(string name) =>
+                identity.FindList(name) ?? throw new System.FormatException($"it has no {name}");
             double[] azimuths = Require(CrossSectionColumn.Azimuth.Name),
                 elevations = Require(CrossSectionColumn.Elevation.Name),
                 frequencies = Require(CrossSectionColumn.Frequency.Name);
-            if (RadarTrack.Of(Find, azimuths[0], elevations[0]) is RadarTrack track)
+            if (RadarTrack.Of(identity.FindList, azimuths[0], elevations[0]) is RadarTrack track)
                 return new CrossSectionPlan(track, frequencies);
             return new CrossSectionPlan(azimuths, elevations, frequencies,
-                Find(CrossSectionColumn.ReceiverAzimuth.Name), Find(CrossSectionColumn.ReceiverElevation.Name)?[0] ?? 0,
-                Find(PulsesName) is double[] pulses
+                identity.FindList(CrossSectionColumn.ReceiverAzimuth.Name),
+                identity.FindList(CrossSectionColumn.ReceiverElevation.Name)?[0] ?? 0,
+                identity.FindList(PulsesName) is double[] pulses
                     ? new PulseTrain(Require(RepetitionName)[0], (int)pulses[0])
                     : null);
         }

@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 
 namespace Glint.Core
@@ -47,6 +49,11 @@ namespace Glint.Core
 
         /// <summary>The text of an entry; null if there is none.</summary>
         public string Find(string name) => _entries.FirstOrDefault(entry => entry.Key == name).Value;
+
+        /// <summary>The numbers of an entry that is a list; null if there is none.</summary>
+        /// <exception cref="FormatException">It is damaged.</exception>
+        public double[] FindList(string name) => Find(name)?.Split(',')
+            .Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
 
         static string Difference(string name, string was, string now)
         {

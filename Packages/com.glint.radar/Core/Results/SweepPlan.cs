@@ -65,8 +65,7 @@ namespace Glint.Core
         {
             if (SweepAxis.All.All(axis => identity.Find(axis.Column) == null))
                 throw new FormatException("it has no list of an axis");
-            return new SweepPlan(axis => identity.Find(axis.Column)?.Split(',')
-                .Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray());
+            return new SweepPlan(axis => identity.FindList(axis.Column));
         }
 
         /// <summary>Poses in all.</summary>

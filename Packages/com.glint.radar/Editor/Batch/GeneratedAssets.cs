@@ -80,7 +80,7 @@ namespace Glint.Editor
         {
             var mesh = ProjectAssets.Save(MeshMaker.Make(ShipName, made.Vertices, made.Indices),
                 $"{folder}/{ShipName}.asset");
-            var root = new GameObject(ShipName, typeof(MeshFilter), typeof(MeshRenderer), typeof(Ship));
+            var root = new GameObject(ShipName, typeof(Ship));
             ProjectAssets.Show(root, mesh);
             root.GetComponent<Ship>().Settings = settings;
             string path = $"{folder}/{ShipName}.prefab";
