@@ -1,6 +1,8 @@
+using System;
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
 namespace Glint.Tests
@@ -22,7 +24,7 @@ namespace Glint.Tests
         public void Shards_OfAnySweep_AreAllItsPosesOnceAndInOrder()
         {
             foreach (int poses in new[] { 1, 2, 7, 46, 1000, SweepPlan.Limit })
-                for (int count = 1; count <= System.Math.Min(poses, 12); count++)
+                for (int count = 1; count <= Math.Min(poses, 12); count++)
                 {
                     var parts = Enumerable.Range(1, count).Select(number => new SweepShard(number, count)).ToArray();
                     Assert.That(parts[0].First(poses), Is.Zero);
@@ -88,6 +90,75 @@ namespace Glint.Tests
                 + "changed; trace the part again", one, two, lost);
         }
 
+        /// <summary>As for --resume: each row is where the plan has it. A file may have been changed by hand.</summary>
+        [Test]
+        public void Merge_OfRowsThatAreNotOfThePlan_IsRefusedByFileAndRow()
+        {
+            string one = Part(1, 3), three = Part(3, 3);
+            void AssertChanged(string problem, Action<JArray> change)
+            {
+                string two = Part(2, 3), json = Path.Combine(two, "results.json");
+                var results = StoredRun.Parse(File.ReadAllText(json));
+                change((JArray)results["rows"]);
+                File.WriteAllText(json, results.ToString());
+                AssertRefused($"{json}: {problem}: it was changed; restore it, or trace part 2/3 again", one, two, three);
+            }
+            AssertChanged("row 1 is of 3 deg instead of 2 deg", rows => rows.Add(Taken(rows[0])));
+            AssertChanged("row 2 is of 12.5 deg instead of 3 deg", rows => rows[1]["angle_deg"] = 12.5);
+            AssertChanged("row 2 is of snapshot 4, 3 deg instead of 3 deg", rows => rows[1]["snapshot"] = 4);
+        }
+
+        [Test]
+        public void Merge_OfTheRowsOfAnotherPart_IsRefused()
+        {
+            string foreign = _folder.PathOf("foreign");
+            SampleSweep.Write(foreign, SampleSweep.Identity(shard: new SweepShard(2, 3), poses: Poses), 2, 2, first: 4);
+            AssertRefused($"{Path.Combine(foreign, "results.json")}: row 1 is of 4 deg instead of 2 deg", Part(1, 3), foreign,
+                Part(3, 3));
+        }
+
+        [Test]
+        public void Merge_OfCrossSectionsThatAreNotOfThePlan_IsRefused()
+        {
+            var plan = new CrossSectionPlan(new double[] { 0, 30, 60, 90 }, new double[] { 5 }, new[] { 9e9 });
+            var rows = SampleRows.Of(plan, azimuth => 1, azimuth => 1);
+            string[] parts = { CrossSections(1, rows[0], rows[1]), CrossSections(2, rows[3], rows[2]) };
+            AssertRefused($"{Path.Combine(parts[1], "results.json")}: row 1 is of azimuth 90 deg, elevation 5 deg, 9000000000 Hz "
+                + "instead of azimuth 60 deg, elevation 5 deg, 9000000000 Hz: it was changed; restore it, or trace part 2/2 "
+                + "again", parts);
+
+            string CrossSections(int number, params CrossSectionRow[] written)
+            {
+                string path = _folder.PathOf($"rcs {number}");
+                using (var folder = ResultsFolder.Open(path, ResultTable.CrossSection))
+                {
+                    var info = SampleRun.Info();
+                    info.Sweep = new SweepIdentity { Shard = new SweepShard(number, 2) };
+                    plan.AddTo(info.Sweep);
+                    folder.Begin(info.Sweep, SampleSweep.Started);
+                    folder.Append(written);
+                    folder.Finish(info);
+                }
+                return path;
+            }
+        }
+
+        /// <summary>Directions on a track are computed, on another machine perhaps with other last digits.</summary>
+        [Test]
+        public void PlanOfATrack_HasItsRowsBackFromTheIdentity()
+        {
+            var plan = new CrossSectionPlan(new RadarTrack(new[] { -50, -0.3, 0, 7.7 }, 30, 12, 1000 / 3.0), new[] { 9e9 });
+            var identity = new SweepIdentity();
+            plan.AddTo(identity);
+            var rows = StoredRow.Of(SampleRows.Of(plan, azimuth => 1, azimuth => 1));
+            var again = CrossSectionPlan.Of(identity);
+            for (int i = 0; i < plan.Count; i++)
+            {
+                Assert.That(again.ProblemOf(i, rows[i]), Is.Null);
+                Assert.That(again.ProblemOf(i, rows[(i + 1) % rows.Length]), Does.StartWith("is of azimuth "));
+            }
+        }
+
         [Test]
         public void Merge_OfPartsWithoutAPlan_NamesNoneOfThem()
         {
@@ -110,6 +181,12 @@ namespace Glint.Tests
                 folder.Finish(info);
             }
             AssertRefused($"{two} holds results of glint rcs and {one} of glint sweep: give the parts of one run", one, two);
+        }
+
+        static JToken Taken(JToken row)
+        {
+            row.Remove();
+            return row;
         }
 
         string Part(int number, int count)

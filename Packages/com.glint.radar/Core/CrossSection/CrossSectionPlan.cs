@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
@@ -121,6 +122,17 @@ namespace Glint.Core
             }
         }
 
+        /// <summary>
+        /// What is wrong with the place of a stored row, such as "is of azimuth 15 deg, elevation 0 deg, 9000000000 Hz
+        /// instead of azimuth 10 deg, elevation 0 deg, 9000000000 Hz"; null: nothing.
+        /// </summary>
+        /// <param name="row">Its number in the plan.</param>
+        public string ProblemOf(int row, StoredRow stored)
+        {
+            PlannedCrossSection planned = this[row], found = PlannedCrossSection.Of(stored);
+            return found.HasThePlaceOf(planned) ? null : $"is of {found} instead of {planned}";
+        }
+
         /// <summary>Adds the lists to the identity of a sweep.</summary>
         public void AddTo(SweepIdentity identity)
         {
@@ -142,11 +154,11 @@ namespace Glint.Core
         }
 
         /// <summary>The plan that <see cref="AddTo"/> added.</summary>
-        /// <exception cref="System.FormatException">It is not there, or damaged.</exception>
+        /// <exception cref="FormatException">It is not there, or damaged.</exception>
         public static CrossSectionPlan Of(SweepIdentity identity)
         {
             double[] Require(string name) =>
-                identity.FindList(name) ?? throw new System.FormatException($"it has no {name}");
+                identity.FindList(name) ?? throw new FormatException($"it has no {name}");
             double[] azimuths = Require(CrossSectionColumn.Azimuth.Name),
                 elevations = Require(CrossSectionColumn.Elevation.Name),
                 frequencies = Require(CrossSectionColumn.Frequency.Name);
@@ -164,6 +176,9 @@ namespace Glint.Core
     /// <summary>A row of a <see cref="CrossSectionPlan"/>: directions and frequency.</summary>
     public struct PlannedCrossSection
     {
+        // Degrees: less than the smallest step of a list.
+        const double MaxRounding = 1e-9;
+
         internal PlannedCrossSection(int pose, int pulse, int frequencyIndex, int receiver) : this() =>
             (Pose, Pulse, FrequencyIndex, Receiver) = (pose, pulse, frequencyIndex, receiver);
 
@@ -220,16 +235,19 @@ namespace Glint.Core
         };
 
         /// <summary>Whether another row has the same directions, frequency and time.</summary>
-        public bool HasThePlaceOf(in PlannedCrossSection other) => AzimuthDegrees == other.AzimuthDegrees
-            && ElevationDegrees == other.ElevationDegrees && Frequency == other.Frequency && Time == other.Time
+        public bool HasThePlaceOf(in PlannedCrossSection other) => IsSame(AzimuthDegrees, other.AzimuthDegrees)
+            && IsSame(ElevationDegrees, other.ElevationDegrees) && Frequency == other.Frequency && Time == other.Time
             && ReceiverAzimuthDegrees == other.ReceiverAzimuthDegrees
             && ReceiverElevationDegrees == other.ReceiverElevationDegrees;
+
+        // Those of a track are computed, and another machine's functions may have other last digits.
+        static bool IsSame(double degrees, double other) => Math.Abs(degrees - other) < MaxRounding;
 
         /// <summary>"azimuth 30 deg, elevation 0 deg, 10000000000 Hz".</summary>
         public override string ToString()
         {
-            string receiver = ReceiverAzimuthDegrees is double azimuth
-                ? $", received at {Numbers.Format(azimuth)} deg, {Numbers.Format(ReceiverElevationDegrees.Value)} deg"
+            string receiver = ReceiverAzimuthDegrees is double azimuth && ReceiverElevationDegrees is double elevation
+                ? $", received at {Numbers.Format(azimuth)} deg, {Numbers.Format(elevation)} deg"
                 : "";
             return $"azimuth {Numbers.Format(AzimuthDegrees)} deg, elevation {Numbers.Format(ElevationDegrees)} deg, "
                 + $"{Numbers.Format(Frequency)} Hz{receiver}"

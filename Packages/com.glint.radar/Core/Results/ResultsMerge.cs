@@ -17,8 +17,8 @@ namespace Glint.Core
         /// <param name="output">Results folder to write, none of the parts'.</param>
         /// <returns>The folder written.</returns>
         /// <exception cref="GlintException">
-        /// A part is missing, given twice, not finished, damaged or of another sweep, or the output cannot be written;
-        /// the message names it.
+        /// A part is missing, given twice, not finished, damaged, changed or of another sweep, or the output cannot be
+        /// written; the message names it.
         /// </exception>
         public static ResultsFolder Merge(IReadOnlyList<string> folders, string output)
         {
@@ -84,33 +84,50 @@ namespace Glint.Core
                 throw new GlintException($"{folder} is of another sweep than {firstFolder}: {difference}");
         }
 
-        // A part that has lost rows, or a plan that was edited.
+        // A part that has lost rows, or whose rows or plan were edited.
         static void CheckRows((string folder, StoredRun results)[] parts)
         {
-            int? planned = PosesOf(parts[0].results);
-            int poses = planned ?? parts.Sum(part => part.results.Rows.Count);
+            var plan = PlanOf(parts[0].results);
+            int poses = plan?.count ?? parts.Sum(part => part.results.Rows.Count);
             foreach (var (folder, results) in parts)
             {
                 var shard = results.Info.Sweep.Shard.Value;
                 int rows = results.Rows.Count, expected = shard.End(poses) - shard.First(poses);
                 if (rows != expected)
-                    throw new GlintException(planned == null
+                    throw new GlintException(plan == null
                         ? $"{string.Join(", ", parts.Select(part => part.folder))}: have "
                             + $"{string.Join(", ", parts.Select(part => part.results.Rows.Count))} rows, "
                             + $"and no sweep of {poses} poses has such parts: a file was changed; restore it"
                         : $"{Path.Combine(folder, ResultsFolder.JsonName)}: has {rows} rows where part {shard} of "
                             + $"{poses} poses has {expected}: a file was changed; trace the part again");
             }
+            if (plan == null)
+                return;
+            foreach (var (folder, results) in parts)
+                CheckPlaces(folder, results, results.Info.Sweep.Shard.Value.First(poses), plan.Value.problemOf);
         }
 
-        // Null where the identity does not have the whole plan.
-        static int? PosesOf(StoredRun run)
+        static void CheckPlaces(string folder, StoredRun part, int first, Func<int, StoredRow, string> problemOf)
+        {
+            string file = part.Table.IsArray ? part.Table.CsvName : ResultsFolder.JsonName;
+            for (int i = 0; i < part.Rows.Count; i++)
+                if (problemOf(first + i, part.Rows[i]) is string problem)
+                    throw new GlintException($"{Path.Combine(folder, file)}: row {i + 1} {problem}: it was changed; "
+                        + $"restore it, or trace part {part.Info.Sweep.Shard} again");
+        }
+
+        // Number of rows, and what is wrong with the place of one. Null where the identity does not have the whole plan.
+        static (int count, Func<int, StoredRow, string> problemOf)? PlanOf(StoredRun run)
         {
             try
             {
-                return run.Table == ResultTable.Sweep
-                    ? SweepPlan.Of(run.Info.Sweep).Count
-                    : CrossSectionPlan.Of(run.Info.Sweep).Count;
+                if (run.Table == ResultTable.Sweep)
+                {
+                    var sweep = SweepPlan.Of(run.Info.Sweep);
+                    return (sweep.Count, sweep.ProblemOf);
+                }
+                var plan = CrossSectionPlan.Of(run.Info.Sweep);
+                return (plan.Count, plan.ProblemOf);
             }
             catch (Exception error) when (error is FormatException || error is GlintException)
             {

@@ -18,6 +18,8 @@ namespace Glint.Core
         /// <summary>One pose that moves nothing.</summary>
         public static readonly SweepPlan Single = new SweepPlan();
 
+        static readonly ResultColumn[] s_columns = SweepAxis.All.Select(ResultColumn.Of).ToArray();
+
         // In the order of SweepAxis.All; null for an axis that is not swept.
         readonly IReadOnlyList<double>[] _values = new IReadOnlyList<double>[SweepAxis.All.Count];
 
@@ -87,6 +89,18 @@ namespace Glint.Core
                 }
                 return new SweepPose(values);
             }
+        }
+
+        /// <summary>
+        /// What is wrong with the place of a stored row, such as "is of 15 deg instead of 10 deg"; null: nothing.
+        /// </summary>
+        /// <param name="pose">Its number in the plan.</param>
+        public string ProblemOf(int pose, StoredRow stored)
+        {
+            var row = new SweepRow(this[pose], null);
+            var planned = s_columns.Select(column => column.Value(row)).ToArray();
+            return planned.SequenceEqual(s_columns.Select(column => stored[column])) ? null
+                : $"is of {stored.Name} instead of {new SweepPose(planned)}";
         }
 
         /// <summary>The values on an axis, in its unit; null if it is not swept.</summary>

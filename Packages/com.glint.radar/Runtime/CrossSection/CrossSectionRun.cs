@@ -122,12 +122,10 @@ namespace Glint
         // A row that is not what the plan has in its place was changed.
         string ProblemOf(int number, StoredRow row)
         {
-            PlannedCrossSection planned = _setup.Plan[First + number], stored = PlannedCrossSection.Of(row);
-            if (!stored.HasThePlaceOf(planned))
-                return $"is of {stored} instead of {planned}";
-            return _setup.HasContributions
+            string problem = _setup.Plan.ProblemOf(First + number, row);
+            return problem == null && _setup.HasContributions
                 ? CrossSectionContributions.ProblemOf(row.Contributions, _setup.ObjectNames.Count)
-                : null;
+                : problem;
         }
 
         // The next row, and with it those that are traced already: they are written at once. A row with contributions takes

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using System.Linq;
 using System.Threading;
 using Glint.Core;
 
@@ -13,8 +12,6 @@ namespace Glint
     /// </summary>
     public sealed class SweepRun : IDisposable
     {
-        static readonly ResultColumn[] s_axes = SweepAxis.All.Select(ResultColumn.Of).ToArray();
-
         readonly SweepSetup _setup;
         readonly AxisDrivers _motions;
         readonly int _first;
@@ -171,15 +168,7 @@ namespace Glint
             _identity = identity;
             _folder.Begin(identity, _startedUtc);
             if (resume)
-                Done = _folder.Resume(Count, ProblemOf);
-        }
-
-        // A row that is not of its pose was changed.
-        string ProblemOf(int number, StoredRow row)
-        {
-            var planned = new SweepRow(_setup.Plan[_first + number], null);
-            return s_axes.All(column => row[column] == column.Value(planned)) ? null
-                : $"is of {row.Name} instead of {planned.Pose}";
+                Done = _folder.Resume(Count, (number, row) => _setup.Plan.ProblemOf(_first + number, row));
         }
 
         // The division into rigid groups depends on the motion seen so far. A resumed sweep or a part has not seen
