@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 
@@ -50,7 +51,7 @@ namespace Glint.Core
         /// The numbers in the order given. FROM is included, and TO if whole steps reach it.
         /// </summary>
         /// <exception cref="FormatException">
-        /// Malformed, empty, out of range or more than <see cref="Limit"/>.
+        /// Malformed, empty, out of range, given twice or more than <see cref="Limit"/>.
         /// </exception>
         public double[] Read(string text)
         {
@@ -61,12 +62,22 @@ namespace Glint.Core
 
         /// <summary>Like <see cref="Read"/>, with a message that names the text and its source.</summary>
         /// <exception cref="UsageException">
-        /// Malformed, empty, out of range or more than <see cref="Limit"/>.
+        /// Malformed, empty, out of range, given twice or more than <see cref="Limit"/>.
         /// </exception>
         public double[] Parse(string text, string where) => Values.Parse(Read, text, where);
 
-        double[] List(string[] parts) =>
-            parts.Length <= Limit ? parts.Select(Value).ToArray() : throw TooMany("give fewer");
+        double[] List(string[] parts)
+        {
+            if (parts.Length > Limit)
+                throw TooMany("give fewer");
+            double[] numbers = parts.Select(Value).ToArray();
+            var seen = new HashSet<double>();
+            foreach (double number in numbers)
+                if (!seen.Add(number))
+                    throw new FormatException($"the {_noun} {Numbers.Format(number)} {_unit}".TrimEnd()
+                        + " is given twice: give each once");
+            return numbers;
+        }
 
         double[] Steps(string[] parts)
         {

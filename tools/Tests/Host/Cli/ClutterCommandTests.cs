@@ -245,6 +245,9 @@ public sealed class ClutterCommandTests
     [TestCase(2, "--clutter gauss: must be one of on, physics, nrl, git, nathanson", "--clutter", "gauss")]
     [TestCase(2, "--grazing 0: each grazing angle must be from 0.1 to 90 degrees", "--grazing", "0")]
     [TestCase(2, "--times: not with --snapshots", "--times", "0", "--snapshots", "1")]
+    [TestCase(2, "--azimuth 10,10: the azimuth 10 degrees is given twice: give each once", "--azimuth", "10,10")]
+    [TestCase(2, "there are more than 1,000,000 rows: shorten a list", "--azimuth", "0:359.999:0.001", "--frequency",
+        "9e9,10e9,11e9", "--clutter", "on")]
     [TestCase(2, "--cell 0.1: each number must be from 0.5 to 10000", "--cell", "0.1")]
     public void Input_ThatCannotBeComputed_IsRefusedBeforeAnyFile(int code, string message, params string[] options)
     {
