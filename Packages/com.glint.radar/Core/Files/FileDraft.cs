@@ -44,6 +44,19 @@ namespace Glint.Core
             }
         }
 
+        /// <summary>Whether a file may take a place: what is there, if anything, is empty or of the same kind.</summary>
+        /// <param name="isOfItsKind">Whether the content is; from its beginning.</param>
+        /// <exception cref="IOException">What is there cannot be read.</exception>
+        /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
+        public static bool MayReplace(string path, Func<Stream, bool> isOfItsKind)
+        {
+            // An empty file has nothing to lose, nor has a device or a pipe.
+            if (!File.Exists(path) || new FileInfo(path).Length == 0)
+                return true;
+            using (var file = File.OpenRead(path))
+                return isOfItsKind(file);
+        }
+
         /// <summary>
         /// Checks that a file can be written, and leaves what is there. A file that a link names and that is missing is
         /// made.

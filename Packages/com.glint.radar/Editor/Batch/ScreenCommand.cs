@@ -210,19 +210,10 @@ namespace Glint.Editor
                     $"{path}: is a folder: name a file in it with {ScreenOptions.Asterix.Flag}");
             Try(path, () =>
             {
-                if (File.Exists(path) && !IsVideo(path))
+                if (!FileDraft.MayReplace(path, file => file.ReadByte() == AsterixVideo.Category))
                     throw new GlintException($"{path}: is there, and is no radar video that could be replaced: "
                         + AnotherFile);
             });
-        }
-
-        // An empty file has nothing to lose, nor has a device or a pipe.
-        static bool IsVideo(string path)
-        {
-            if (new FileInfo(path).Length == 0)
-                return true;
-            using (var file = File.OpenRead(path))
-                return file.ReadByte() == AsterixVideo.Category;
         }
 
         /// <summary>Writes the spokes of the last frame.</summary>

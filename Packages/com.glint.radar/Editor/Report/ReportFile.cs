@@ -66,7 +66,7 @@ namespace Glint.Editor
                 if (!Directory.Exists(folder))
                     throw new GlintException($"{path}: the folder {folder} does not exist: create it, "
                         + $"or name another file with {ReportOptions.Out.Flag}");
-                if (File.Exists(path) && !IsPage(path))
+                if (!FileDraft.MayReplace(path, IsPage))
                     throw new GlintException($"{path}: is there, and is no report that could be replaced: "
                         + $"name another file with {ReportOptions.Out.Flag}");
             });
@@ -84,13 +84,10 @@ namespace Glint.Editor
             }));
         }
 
-        // An empty file has nothing to lose, nor has a device or a pipe.
-        static bool IsPage(string path)
+        static bool IsPage(Stream file)
         {
-            if (new FileInfo(path).Length == 0)
-                return true;
             var start = new char[PageStart.Length];
-            using (var text = new StreamReader(path))
+            using (var text = new StreamReader(file))
                 return text.ReadBlock(start, 0, start.Length) == start.Length
                     && new string(start).Equals(PageStart, StringComparison.OrdinalIgnoreCase);
         }
