@@ -105,13 +105,11 @@ namespace Glint.Reference
             return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }
 
-        // Corner i is at the upper end of axis a if bit a of i is set.
         static void AddBox(List<float3> vertices, List<int> indices, in Affine axes, double3 min, double3 max)
         {
             int first = vertices.Count;
             for (int corner = 0; corner < 8; corner++)
-                vertices.Add((float3)axes.Point(new double3((corner & 1) == 0 ? min.x : max.x,
-                    (corner & 2) == 0 ? min.y : max.y, (corner & 4) == 0 ? min.z : max.z)));
+                vertices.Add((float3)axes.Point(Box.CornerOf(min, max, corner)));
             for (int axis = 0; axis < 3; axis++)
             {
                 int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;

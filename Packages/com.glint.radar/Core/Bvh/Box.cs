@@ -22,9 +22,13 @@ namespace Glint.Core
         public static Box Empty => new Box(float.PositiveInfinity, float.NegativeInfinity);
 
         /// <summary>A corner, 0 to 7: bits 1, 2 and 4 select the upper x, y and z.</summary>
-        public readonly double3 Corner(int number) =>
-            new double3((number & 1) != 0 ? Max.x : Min.x, (number & 2) != 0 ? Max.y : Min.y,
-                (number & 4) != 0 ? Max.z : Min.z);
+        public readonly double3 Corner(int number) => CornerOf(Min, Max, number);
+
+        /// <summary>A corner of a box in double precision.</summary>
+        /// <inheritdoc cref="Corner"/>
+        public static double3 CornerOf(double3 boxMin, double3 boxMax, int number) =>
+            new double3((number & 1) != 0 ? boxMax.x : boxMin.x, (number & 2) != 0 ? boxMax.y : boxMin.y,
+                (number & 4) != 0 ? boxMax.z : boxMin.z);
 
         /// <summary>
         /// Half of the surface area, which is proportional to the probability that a ray hits the box.

@@ -66,12 +66,15 @@ namespace Glint.Core
                 if (_frequencies[i] == _frequencies[i - 1])
                     throw new UsageException($"the frequency {Numbers.Format(_frequencies[i])} Hz is given twice: "
                         + "give each once");
-            double count = (double)Poses * PulseCount * frequencies.Length * Receivers;
-            if (count > Limit)
-                throw new UsageException($"there are more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} "
-                    + "rows: shorten a list, or give its parts to several commands");
-            Count = (int)count;
+            Count = CountOf((double)Poses * PulseCount * frequencies.Length * Receivers);
         }
+
+        /// <summary>A number of rows that is possible.</summary>
+        /// <exception cref="UsageException">There are more than <see cref="Limit"/>.</exception>
+        public static int CountOf(double rows) => rows <= Limit
+            ? (int)rows
+            : throw new UsageException($"there are more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} rows: "
+                + "shorten a list, or give its parts to several commands");
 
         /// <summary>Number of rows.</summary>
         public int Count { get; }

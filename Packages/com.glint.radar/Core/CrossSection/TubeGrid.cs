@@ -65,17 +65,13 @@ namespace Glint.Core
             Rays = new RayGrid(Settings, View, boxMin, boxMax);
         }
 
-        static double3 CornerOf(int corner, double3 boxMin, double3 boxMax) => new double3(
-            (corner & 1) == 0 ? boxMin.x : boxMax.x, (corner & 2) == 0 ? boxMin.y : boxMax.y,
-            (corner & 4) == 0 ? boxMin.z : boxMax.z);
-
         // Of the box before the phase centre, towards the radar.
         static double DepthOf(CrossSectionPose pose, double3 boxMin, double3 boxMax)
         {
             double depth = 0;
             for (int corner = 0; corner < 8; corner++)
                 depth = Math.Max(depth,
-                    math.dot(CornerOf(corner, boxMin, boxMax) - pose.PhaseCentre, pose.Radar.ToRadar));
+                    math.dot(Box.CornerOf(boxMin, boxMax, corner) - pose.PhaseCentre, pose.Radar.ToRadar));
             return depth;
         }
 
@@ -88,7 +84,7 @@ namespace Glint.Core
             double2 lower = double.PositiveInfinity, upper = double.NegativeInfinity;
             for (int corner = 0; corner < 8; corner++)
             {
-                double3 at = CornerOf(corner, boxMin, boxMax) - pose.PhaseCentre;
+                double3 at = Box.CornerOf(boxMin, boxMax, corner) - pose.PhaseCentre;
                 double towards = math.dot(at, pose.Radar.ToRadar);
                 double scale = pose.IsFar ? 1 : pose.Range / Math.Max(pose.Range - towards, 1e-3 * pose.Range);
                 double2 place = scale * new double2(math.dot(at, right), math.dot(at, up));

@@ -22,14 +22,12 @@ namespace Glint.Core
             for (int first = 0; first < 8; first++)
                 for (int second = 0; second < 8; second++)
                 {
-                    double3 a = Corner(first) - phaseCentre, b = Corner(second) - phaseCentre;
+                    double3 a = Box.CornerOf(boxMin, boxMax, first) - phaseCentre,
+                        b = Box.CornerOf(boxMin, boxMax, second) - phaseCentre;
                     double outside = isFarMonostatic ? math.length(a + b) : math.length(a) + math.length(b);
                     reach = math.max(reach, (outside + math.distance(a, b)) / 2);
                 }
             return reach;
-
-            double3 Corner(int corner) => math.select(boxMin, boxMax,
-                new bool3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0));
         }
 
         /// <summary>Number of frequencies whose unambiguous range holds echoes up to a reach on both sides.</summary>

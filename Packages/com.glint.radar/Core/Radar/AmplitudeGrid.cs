@@ -52,8 +52,7 @@ namespace Glint.Core
             (lower, upper) = (double.PositiveInfinity, double.NegativeInfinity);
             for (int corner = 0; corner < 8; corner++)
             {
-                double3 at = new double3((corner & 1) == 0 ? boxMin.x : boxMax.x, (corner & 2) == 0 ? boxMin.y : boxMax.y,
-                    (corner & 4) == 0 ? boxMin.z : boxMax.z) - view.Position;
+                double3 at = Box.CornerOf(boxMin, boxMax, corner) - view.Position;
                 double depth = view.IsParallel ? 1 : math.dot(at, view.Forward);
                 if (!view.IsParallel && depth < MinDepth * math.length(boxMax - boxMin))
                 {

@@ -40,10 +40,7 @@ namespace Glint.Editor
             foreach (string warning in _gatherer.Warnings)
                 Debug.LogWarning($"{line.Input}: {warning}");
             _grazing = GrazingOf(First.Clutter);
-            long rows = (long)_moments.Count * _frequencies.Length * _azimuths.Length * _grazing.Length;
-            if (rows > CrossSectionPlan.Limit)
-                throw new GlintException($"{line.Input}: the lists make {rows} rows, at most {CrossSectionPlan.Limit} are "
-                    + "possible: give larger steps, or several commands");
+            CrossSectionPlan.CountOf((double)_moments.Count * _frequencies.Length * _azimuths.Length * _grazing.Length);
             Validate(First);
         }
 

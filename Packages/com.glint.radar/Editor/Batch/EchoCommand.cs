@@ -106,8 +106,7 @@ namespace Glint.Editor
                 var (min, max) = new RadarScene(instance).Bound();
                 for (int corner = 0; corner < 8; corner++)
                 {
-                    var velocity = instance.Motion.VelocityAt(math.select(min, max,
-                        new bool3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0)));
+                    var velocity = instance.Motion.VelocityAt(Box.CornerOf(min, max, corner));
                     for (int row = 0; row < plan.Count; row += plan.Count / plan.Poses)
                         for (int receiver = 0; receiver < plan.Receivers; receiver++)
                             fastest = Math.Max(fastest, Math.Abs(math.dot(velocity,

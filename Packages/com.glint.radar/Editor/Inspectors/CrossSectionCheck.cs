@@ -33,8 +33,8 @@ namespace Glint.Editor
             Setup = null;
             if (!_radar.isActiveAndEnabled)
                 _findings.Add(new Finding(Severity.Warning, SceneSearch.IsDisabled(_radar)));
-            Attempt(() => CrossSectionTracer.Check(_radar.Kernel, _radar.Subject), AssignKernel);
-            Attempt(() => Setup = _radar.Setup(_gatherer));
+            Finding.Add(_findings, () => CrossSectionTracer.Check(_radar.Kernel, _radar.Subject), AssignKernel);
+            Finding.Add(_findings, () => Setup = _radar.Setup(_gatherer));
             if (Setup != null)
                 _findings.AddRange(_gatherer.Warnings.Select(warning =>
                     new Finding(Severity.Warning, $"{_radar.Subject}: {warning}")));
@@ -77,12 +77,6 @@ namespace Glint.Editor
                         $"{outside:N0} of {radar.Rows.Count:N0} rows"),
                     FormattableString.Invariant(
                         $"Radar and receiver are more than {CrossSectionRow.MaxBistaticDegrees:0} degrees apart, outside the forward lobe: column outside_physical_optics."));
-        }
-
-        void Attempt(Action look, Func<Fix> fix = null)
-        {
-            if (Finding.Of(look, fix) is Finding finding)
-                _findings.Add(finding);
         }
 
         // Null if it has the kernel, or the project has none.

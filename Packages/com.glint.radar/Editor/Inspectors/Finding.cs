@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Glint.Core;
 using Object = UnityEngine.Object;
 
@@ -35,6 +36,17 @@ namespace Glint.Editor
             {
                 return new Finding(Severity.Error, problem.Message, fix?.Invoke());
             }
+        }
+
+        /// <summary>Adds the refusal of a check to some findings.</summary>
+        /// <returns>Whether it refuses nothing.</returns>
+        /// <inheritdoc cref="Of"/>
+        public static bool Add(List<Finding> findings, Action check, Func<Fix> fix = null)
+        {
+            var finding = Of(check, fix);
+            if (finding != null)
+                findings.Add(finding);
+            return finding == null;
         }
 
         public override string ToString() => $"{Severity}: {Text}";

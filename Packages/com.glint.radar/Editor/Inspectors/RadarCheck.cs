@@ -47,13 +47,13 @@ namespace Glint.Editor
             _findings.Clear();
             Figures = null;
             CheckRadar();
-            Attempt(() => RayTracer.Check(_radar.Kernel, _radar.Subject),
+            Finding.Add(_findings, () => RayTracer.Check(_radar.Kernel, _radar.Subject),
                 () => RadarFixes.AssignKernel(_radar));
             if (_radar.Settings.ToleranceDb > 0)
-                Attempt(() => AmplitudeTracer.Check(_radar.TubeKernel, _radar.Subject),
+                Finding.Add(_findings, () => AmplitudeTracer.Check(_radar.TubeKernel, _radar.Subject),
                     () => RadarFixes.AssignTubeKernel(_radar));
             if (SceneSearch.FindEnabled<Sea>().Any(sea => sea.Clutter.IsOn))
-                Attempt(() => CrossSectionTracer.Check(_radar.ClutterKernel, _radar.Subject),
+                Finding.Add(_findings, () => CrossSectionTracer.Check(_radar.ClutterKernel, _radar.Subject),
                     () => RadarFixes.AssignClutterKernel(_radar));
             CheckMeshes();
             if (_findings.All(finding => finding.Severity != Severity.Error))
@@ -79,14 +79,6 @@ namespace Glint.Editor
                 Add(Severity.Error, _radar.HasNoHeight, RadarFixes.FitAperture(_radar));
             if (_radar.Roots.Exists(root => root == null))
                 Add(Severity.Error, _radar.HasEmptyRoot, RadarFixes.RemoveEmptyRoots(_radar));
-        }
-
-        bool Attempt(Action look, Func<Fix> fix = null)
-        {
-            var finding = Finding.Of(look, fix);
-            if (finding != null)
-                _findings.Add(finding);
-            return finding == null;
         }
 
         void CheckMeshes()
@@ -133,7 +125,7 @@ namespace Glint.Editor
         void CheckPose()
         {
             RadarPose pose = default;
-            if (!Attempt(() =>
+            if (!Finding.Add(_findings, () =>
             {
                 pose = _radar.Gather(_gatherer);
                 DispatchPlan.Check(pose.Settings, _radar.RayReadback, _radar.Subject);

@@ -28,8 +28,8 @@ namespace Glint.Editor
             if (!_sweep.isActiveAndEnabled)
                 _findings.Add(new Finding(Severity.Warning, SceneSearch.IsDisabled(_sweep)));
             if (_sweep.Radar == null)
-                Attempt(() => SceneSearch.FindRadar(_sweep.Searcher), FindRadar);
-            Attempt(CheckPoses);
+                Finding.Add(_findings, () => SceneSearch.FindRadar(_sweep.Searcher), FindRadar);
+            Finding.Add(_findings, CheckPoses);
         }
 
         /// <summary>The figures for an inspector: label, value, meaning.</summary>
@@ -47,12 +47,6 @@ namespace Glint.Editor
                 return;
             foreach (double number in Plan.Values(SweepAxis.Snapshot))
                 sea.CheckSnapshot((int)number);
-        }
-
-        void Attempt(Action look, Func<Fix> fix = null)
-        {
-            if (Finding.Of(look, fix) is Finding finding)
-                _findings.Add(finding);
         }
 
         // The first of several enabled radars; a new one if there is none.
