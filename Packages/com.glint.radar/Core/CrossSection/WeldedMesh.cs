@@ -44,11 +44,7 @@ namespace Glint.Core
             Array.Resize(ref firsts, EdgeCount + 1);
             _firsts = firsts;
             for (int edge = 0; edge < EdgeCount; edge++)
-            {
-                int count = SideCount(edge);
-                OpenEdgeCount += count == 1 ? 1 : 0;
-                NonManifoldEdgeCount += count > 2 ? 1 : 0;
-            }
+                OpenEdgeCount += SideCount(edge) == 1 ? 1 : 0;
         }
 
         /// <summary>The mesh.</summary>
@@ -64,9 +60,6 @@ namespace Glint.Core
 
         /// <summary>Edges of one triangle: borders of an open mesh.</summary>
         public int OpenEdgeCount { get; }
-
-        /// <summary>Edges of more than two triangles.</summary>
-        public int NonManifoldEdgeCount { get; }
 
         /// <summary>The edge of each side; <see cref="None"/> for sides of degenerate triangles.</summary>
         public int[] EdgeOf { get; }
