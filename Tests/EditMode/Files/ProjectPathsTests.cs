@@ -89,8 +89,8 @@ namespace Glint.Tests
             Assert.That(ProjectPaths.FindRoot(_root + "/elsewhere"), Is.Null);
         }
 
-        [TestCase("{ nonsense", "malformed JSON")]
-        [TestCase("[]", "malformed JSON")]
+        [TestCase("{\n nonsense", "malformed JSON in line 2: correct the line")]
+        [TestCase("[]", "malformed JSON in line 1: correct the line")]
         [TestCase("", "is empty")]
         [TestCase("{ \"dependencies\": [] }", "\"dependencies\" must be an object")]
         [TestCase("{ \"dependencies\": { \"com.a.x\": 1 } }", "the version of com.a.x must be a string")]

@@ -76,6 +76,9 @@ namespace Glint.Tests
             string json = Path.Combine(two, "results.json");
             File.WriteAllText(json, File.ReadAllText(json).Replace("\"amplitude\":", "\"altitude\":"));
             AssertRefused(json + ": cannot be read as results, it is damaged: a row has no amplitude", one, two, three);
+            File.WriteAllText(json, "{\n  \"table\": nonsense");
+            AssertRefused(json + ", line 2: cannot be read as results, it is damaged: malformed JSON; restore it, or run the sweep "
+                + "again without --resume", one, two, three);
             File.Delete(json);
             AssertRefused($"{two}: has no results.json", one, two, three);
         }

@@ -190,9 +190,10 @@ namespace Glint.Core
                         + "file");
                 return JObject.Parse(File.ReadAllText(file));
             }
-            catch (JsonException error)
+            catch (JsonReaderException error)
             {
-                throw new GlintException($"{file}: malformed JSON: {error.Message}", error);
+                throw new GlintException(
+                    FormattableString.Invariant($"{file}: malformed JSON in line {error.LineNumber}: correct the line"), error);
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
             {

@@ -126,7 +126,7 @@ namespace Glint.Core
             }
             catch (Exception error) when (IsUnreadable(error))
             {
-                throw Damaged(path, error);
+                throw Damaged(error is JsonReaderException json ? InLine(path, json.LineNumber) : path, error);
             }
         }
 
@@ -206,7 +206,11 @@ namespace Glint.Core
         internal static GlintException Damaged(string path, Exception error) => new GlintException(
             $"{path}: cannot be "
                 + $"read{(error is IOException || error is UnauthorizedAccessException ? "" : " as results, it is damaged")}: "
-                + $"{error.Message.TrimEnd('.')}; restore it, or run the sweep again without --resume", error);
+                + $"{(error is JsonException ? "malformed JSON" : error.Message.TrimEnd('.'))}; "
+                + "restore it, or run the sweep again without --resume", error);
+
+        /// <summary>A line of a file, from 1, for a message.</summary>
+        internal static string InLine(string path, int line) => FormattableString.Invariant($"{path}, line {line}");
 
         static JToken Find(JObject json, params string[] path)
         {

@@ -63,7 +63,7 @@ namespace Glint.Core
             }
             catch (Exception error) when (StoredRun.IsUnreadable(error))
             {
-                throw StoredRun.Damaged(line == 0 ? path : FormattableString.Invariant($"{path}, line {line}"), error);
+                throw StoredRun.Damaged(line == 0 ? path : StoredRun.InLine(path, line), error);
             }
         }
 

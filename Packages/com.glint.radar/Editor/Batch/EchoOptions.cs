@@ -327,13 +327,15 @@ namespace Glint.Editor
         {
             try
             {
-                return new EchoAntenna(File.ReadAllText(path));
+                return File.Exists(path)
+                    ? new EchoAntenna(File.ReadAllText(path))
+                    : throw new FileNotFoundException("there is no such file");
             }
             catch (Exception problem) when (problem is FormatException || problem is IOException
                 || problem is UnauthorizedAccessException || problem is GlintException)
             {
-                throw new UsageException($"{AntennaPattern.Flag} {Values.Shown(path)}: {problem.Message.TrimEnd('.')}; give one of "
-                    + $"{string.Join(", ", EchoAntenna.Names)}, or a file with such a table");
+                throw new GlintException($"{AntennaPattern.Flag} {Values.Shown(path)}: {problem.Message.TrimEnd('.')}; give one of "
+                    + $"{string.Join(", ", EchoAntenna.Names)}, or a file with a table of a pattern", problem);
             }
         }
 

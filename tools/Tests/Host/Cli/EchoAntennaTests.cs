@@ -78,13 +78,22 @@ public sealed class EchoAntennaTests : EchoFixture
         "--power", "1", "--antenna", "csc2", "--beam", "2,8", "--cosecant", "-30,-5")]
     [TestCase(2, "--cosecant -5,30: the angles must lead away", "--range", "1000", "--power", "1", "--antenna", "csc2",
         "--beam", "2,8", "--cosecant", "-5,30")]
-    [TestCase(2, "give one of gaussian, sinc, csc2, or a file with such a table", "--range", "1000", "--power", "1",
-        "--antenna", "plates")]
+    [TestCase(1, "--antenna plates: there is no such file; give one of gaussian, sinc, csc2, or a file with a table of a "
+        + "pattern", "--range", "1000", "--power", "1", "--antenna", "plates")]
     [TestCase(1, "plate: the target is 2.87 degrees wide at --range 100, and all of it gets the gain of the phase "
         + "centre: it may take 0.2 degrees, a tenth of the beam; give a range of 1437 m or more", "--range", "100",
         "--power", "1", "--antenna", "gaussian", "--beam", "2,8")]
     public void Antenna_WithoutWhatItNeeds_IsRefusedBeforeAnyFile(int code, string message, params string[] options) =>
         AssertRefused(code, message, options);
+
+    [Test]
+    public void Table_ThatIsNone_IsAProblemOfAFile()
+    {
+        File.WriteAllText(At("pattern.csv"), "angle,gain\n");
+        AssertRefused(1, $"--antenna {At("pattern.csv")}: an antenna's table must begin with the line "
+            + "angle_deg,azimuth_db,elevation_db; give one of",
+            ["--range", "1000", "--power", "1", "--antenna", At("pattern.csv")]);
+    }
 
     // Facets of 3 degrees: at most 0.3 mm inside the sphere, a hundredth of the wavelength.
     static string Sphere()
