@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using Unity.Mathematics;
 using UnityEditor;
 using UnityEngine;
 
@@ -81,7 +82,11 @@ namespace Glint.Editor
                     {
                         PosesAhead = int.MaxValue
                     })
+                    {
+                        if (!run.IsComplete)
+                            WarnOfSize(setup, loaded.Name);
                         return Trace(run, loaded, folder, plan, progress);
+                    }
                 }
             }
             finally
@@ -180,6 +185,16 @@ namespace Glint.Editor
             if (folder != null && run.Done > before)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;
+        }
+
+        // Of all that is traced, at the lowest frequency.
+        static void WarnOfSize(SweepSetup setup, string name)
+        {
+            var boxes = new SceneBoxes();
+            boxes.Update(setup.Radar.Gather().Scene);
+            double lowest = setup.Plan.Values(SweepAxis.Frequency)?.Min() ?? setup.Radar.Settings.FrequencyHz;
+            if (!boxes.IsEmpty && ElectricalSize.Warning(name, math.distance(boxes.Min, boxes.Max), lowest) is string warning)
+                Debug.LogWarning(warning);
         }
 
         internal static void WarnOfUnfinished(CommandLine line, ResultsFolder folder)

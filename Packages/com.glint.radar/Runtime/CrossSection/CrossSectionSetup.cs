@@ -21,9 +21,6 @@ namespace Glint
         // And at most over a band: range profiles are then within 60 dB below an echo for each of its bounces.
         const double MaxBandError = 1e-3;
 
-        // Size of a target below which the method says little.
-        const double MinWavelengths = 2;
-
         readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
         readonly Lazy<WedgeSet> _wedges;
@@ -163,10 +160,8 @@ namespace Glint
             if (share > 0)
                 yield return FormattableString.Invariant(
                     $"{subject}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {highest:g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency");
-            double lowest = Plan.Frequencies.First(), wavelengths = 2 * Radius / Signal.Wavelength(lowest);
-            if (wavelengths < MinWavelengths)
-                yield return FormattableString.Invariant(
-                    $"{subject}: the target is {wavelengths:g2} wavelengths large at {lowest:g4} Hz: physical optics and fringe fields are wrong by decibels there, and by any factor far below a wavelength: use a higher frequency, or a full-wave program");
+            if (ElectricalSize.Warning(subject, 2 * Radius, Plan.Frequencies.First()) is string warning)
+                yield return warning;
         }
 
         /// <summary>Hash of a scene's meshes, places and materials, as in results.json.</summary>

@@ -134,6 +134,28 @@ public sealed class CommandRunTests
             || argument.Contains("no such"))));
     }
 
+    /// <summary>As glint rcs does. A frequency given in gigahertz is the usual reason.</summary>
+    [TestCase("run", "--frequency", "10")]
+    [TestCase("sweep", "--frequency", "10e9,10", "--angles", "0")]
+    [TestCase("rcs", "--frequency", "10", "--tolerance", "1")]
+    [TestCase("echo", "--frequency", "10", "--bandwidth", "1", "--frequencies", "2", "--tolerance", "1")]
+    public void TargetFarBelowAWavelength_IsWarnedOf(string command, params string[] options)
+    {
+        string[] size = command == "run" || command == "sweep" ? ["--size", "16x9"] : [];
+        var (code, _, error) = Run([command, Plate, .. options, .. size, "--out", Path.Combine(_folder, "results")]);
+        Assert.That(code, Is.Zero, error);
+        Assert.That(error, Does.Match("warning: plate: the target is .* wavelengths large at .* Hz: .*: use a higher frequency "
+            + @"\(in hertz: 10 GHz is 10e9\), or a full-wave program"));
+    }
+
+    [Test]
+    public void TargetOfManyWavelengths_IsNotWarnedOf()
+    {
+        var (code, _, error) = Run("run", Plate, "--size", "16x9");
+        Assert.That(code, Is.Zero, error);
+        Assert.That(error, Does.Not.Contain("wavelengths large"));
+    }
+
     [Test]
     public void Run_OfAMistypedScene_SaysWhereItWasLookedFor()
     {
