@@ -28,21 +28,36 @@ bool RunsThrough(Cell cell, uint side)
     return MiddleWithin(cell, a, b) >= 0.0;
 }
 
-// Rays that are to look beside the outlines in a cell, one for each, or TOO_MANY_RAYS. Lists have no order: a part of one
-// would differ from run to run.
+// Start and end of the border of a shadow. link: its first element in _Links.
+float4 ShadowOf(uint link)
+{
+    return asfloat(uint4(_Links[link].xy, _Links[link + 1].xy));
+}
+
+bool HasShadow(Cell cell, uint link)
+{
+    float4 border = ShadowOf(link);
+    return MiddleWithin(cell, border.xy, border.zw) >= 0.0;
+}
+
+// Rays that are to look beside the outlines in a cell, one for each, and on both sides of shadows, or TOO_MANY_RAYS. Lists have no order: a
+// part of one would differ from run to run.
 uint CountOutlineRays(Cell cell)
 {
-    uint link = _Marks[OutlineWord(cell.Position >> cell.Level)], listed = 0, rays = 0;
-    if (link == 0 || !HasAllSides())
+    uint link = _Marks[OutlineWord(cell.Position >> cell.Level)], listed = 0, rays = 0, shadows = 0;
+    if (link == 0 || !HasAllSides() || !HasAllShadows())
         return 0;
     [loop]
     for (; link != 0 && listed < MAX_LISTED; listed++)
     {
         uint4 side = _Links[link - 1];
-        rays += RunsThrough(cell, side.x) ? 1 : 0;
+        if (side.w != 0)
+            shadows += HasShadow(cell, link - 1) ? 1 : 0;
+        else
+            rays += RunsThrough(cell, side.x) ? 1 : 0;
         link = side.z;
     }
-    return rays > MAX_SIDES || listed == MAX_LISTED ? TOO_MANY_RAYS : rays;
+    return rays > MAX_SIDES || shadows > MAX_SHADOWS || listed == MAX_LISTED ? TOO_MANY_RAYS : rays + 2 * shadows;
 }
 
 // Lists these rays. centre: of the cell in _Centres.
@@ -54,11 +69,19 @@ void ListOutlineRays(Cell cell, uint centre, uint rays)
     for (uint link = _Marks[OutlineWord(cell.Position >> cell.Level)]; link != 0;)
     {
         uint4 side = _Links[link - 1];
-        if (RunsThrough(cell, side.x))
+        bool isShadow = side.w != 0, isWithin;
+        if (isShadow)
+            isWithin = HasShadow(cell, link - 1);
+        else
+            isWithin = RunsThrough(cell, side.x);
+        if (isWithin)
         {
             if (ray < _ListCapacity.x)
-                _Outlines[ray] = uint2(centre, side.x);
+                _Outlines[ray] = uint2(centre, isShadow ? SHADOW_RAY | link - 1 : side.x);
             ray++;
+            if (isShadow && ray < _ListCapacity.x)
+                _Outlines[ray] = uint2(centre, SHADOW_RAY | LIT_RAY | link - 1);
+            ray += isShadow ? 1 : 0;
         }
         link = side.z;
     }

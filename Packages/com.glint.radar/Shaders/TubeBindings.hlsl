@@ -225,7 +225,8 @@ uint _MarkWords;                           // of a pose
 StructuredBuffer<float4> _Vertices;
 StructuredBuffer<uint> _Marks;             // per pose and base cell 1 + first element of _Links, or 0: of corners, then
                                            // of outlines; then the words of the cover
-StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or number of a side; 1 + next element, or 0
+StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or number of a side; 1 + next element, or 0; 1: of a
+                                           // shadow
 
 // Sides of triangles on the outlines of patches: ends and third corner of the triangle, relative to the scene's centre, m.
 // Each base cell has a list of those that run through it, behind the links of the corners.
@@ -235,8 +236,15 @@ uint _SideCount;
 uint _LinkCapacity;                        // of a pose
 StructuredBuffer<float4> _Sides;
 
+// Borders of shadows, where a receiver apart from the radar begins to see a surface: lines on the grid, in the same lists of
+// base cells, with two elements of _Links each at the end of those of a pose: start, next and 1; end.
+static const uint SHADOW_LINKS = 2;
+static const uint SILHOUETTE_ROWS = 4;     // of a piece of an edge that may cast one
+static const uint MAX_SHADOWS = 16;         // beside which rays look
+uint _ShadowCapacity;                      // of a pose: elements of _Links
+
 // Cover: a bit for each block of base cells in which triangles may be seen, then a word that is not 0 if all may be. The
-// last word of all counts the links of outlines.
+// last words of all count the elements of shadows, and the links of outlines.
 static const uint COVER_SIDE = 8;           // of a block, in base cells
 static const uint MAX_COVERED = 4096;       // blocks that one thread marks
 uint _SphereCount;
@@ -263,15 +271,37 @@ uint CoverWord(uint bit)
     return s_pose * _MarkWords + 2 * BaseCellCount() + (bit >> 5);
 }
 
-// Whether the links of the outlines suffice.
-bool HasAllSides()
+uint SideCountWord()
 {
-    return _Marks[(s_pose + 1) * _MarkWords - 1] <= _LinkCapacity - VERTEX_LINKS * _VertexCount;
+    return (s_pose + 1) * _MarkWords - 1;
+}
+
+uint ShadowCountWord()
+{
+    return (s_pose + 1) * _MarkWords - 2;
 }
 
 uint AllCoveredWord()
 {
-    return (s_pose + 1) * _MarkWords - 2;
+    return (s_pose + 1) * _MarkWords - 3;
+}
+
+// Links that outlines may have.
+uint SideLinks()
+{
+    return _LinkCapacity - _ShadowCapacity - VERTEX_LINKS * _VertexCount;
+}
+
+// Whether the links of the outlines suffice.
+bool HasAllSides()
+{
+    return _Marks[SideCountWord()] <= SideLinks();
+}
+
+// Whether those of shadows do.
+bool HasAllShadows()
+{
+    return _Marks[ShadowCountWord()] <= _ShadowCapacity;
 }
 
 // The place on the grid of a position relative to the scene's centre, base cells.
@@ -364,7 +394,10 @@ RWStructuredBuffer<Cell> _Borders;         // border cells: in the first half th
 // is slow, or 0.
 static const uint CENTRE_WORDS = 3;
 RWStructuredBuffer<uint> _Centres;
-RWStructuredBuffer<uint2> _Outlines;       // of each ray beside an outline: number in _Centres, number of the side
+// Of each ray beside an outline: number in _Centres, number of the side; of one beside a shadow its link and these bits.
+static const uint SHADOW_RAY = 0x80000000;
+static const uint LIT_RAY = 0x40000000;    // outside the shadow
+RWStructuredBuffer<uint2> _Outlines;
 
 // Adds a cell to a list that is filled from both ends, so that neighbouring threads follow rays of as many bounces. Returns its
 // element, or no smaller a number than the list has. count: word of the list's counts.

@@ -29,6 +29,8 @@
 #include "TubeReveals.hlsl"
 #elif defined(GLINT_OUTLINES)
 #include "TubeOutlines.hlsl"
+#elif defined(GLINT_SHADOWS)
+#include "TubeShadows.hlsl"
 #elif defined(GLINT_CENTRES)
 #include "TubeCentres.hlsl"
 #elif defined(GLINT_SEA)

@@ -1,7 +1,7 @@
 #ifndef GLINT_TUBE_STAGES
 #define GLINT_TUBE_STAGES
 
-#include "TubeBindings.hlsl"
+#include "CellMarks.hlsl"
 
 // The small kernels between those that trace tubes.
 
@@ -28,9 +28,6 @@ uint GroupsOf(uint count, uint list, uint size)
         _Sums[TUBE_OVERFLOW] = 1;
     return (min(count, list) + size - 1) / size;
 }
-
-RWStructuredBuffer<uint> _WrittenMarks;    // _Marks
-RWStructuredBuffer<uint4> _WrittenLinks;   // _Links
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void ClearMarks(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
@@ -61,43 +58,20 @@ void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
 }
 
-// Lists a side in a base cell.
-void MarkSide(uint side, int2 cell)
-{
-    uint link, next;
-    if (any(cell < 0) || any((uint2)cell >= _Poses[s_pose].Cells))
-        return;
-    InterlockedAdd(_WrittenMarks[(s_pose + 1) * _MarkWords - 1], 1, link);
-    link += VERTEX_LINKS * _VertexCount;
-    if (link >= _LinkCapacity)
-        return;
-    link += s_pose * _LinkCapacity;
-    InterlockedExchange(_WrittenMarks[OutlineWord(cell)], 1 + link, next);
-    _WrittenLinks[link] = uint4(side, 0, next, 0);
-}
-
-// Lists the sides on outlines of patches in the base cells that they run through. One thread a side, which goes along the
-// axis on which it is longer.
+// Lists the sides on outlines of patches in the base cells that they run through. One thread a side.
 [numthreads(GLINT_GROUP, 1, 1)]
 void MarkOutlines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
     if (!TakeOfPose(index, _SideCount))
         return;
-    float2 a = PlaceOnGrid(_Sides[SIDE_ROWS * index].xyz), b = PlaceOnGrid(_Sides[SIDE_ROWS * index + 1].xyz);
-    bool isUpright = abs(b.y - a.y) > abs(b.x - a.x);
-    float2 start = isUpright ? a.yx : a, end = isUpright ? b.yx : b;
-    float slope = (end.y - start.y) / (end.x == start.x ? 1.0 : end.x - start.x);
-    float cells = isUpright ? _Poses[s_pose].Cells.y : _Poses[s_pose].Cells.x;
-    float first = max(0.0, floor(min(start.x, end.x))), last = min(cells - 1.0, floor(max(start.x, end.x)));
+    CellWalk walk = BeginWalk(PlaceOnGrid(_Sides[SIDE_ROWS * index].xyz), PlaceOnGrid(_Sides[SIDE_ROWS * index + 1].xyz));
     [loop]
-    for (float along = first; along <= last; along += 1.0)
+    for (float along = walk.First; along <= walk.Last; along += 1.0)
     {
-        float2 across = start.y + slope * (clamp(float2(along, along + 1.0), min(start.x, end.x), max(start.x, end.x))
-            - start.x);
-        int from = (int)floor(min(across.x, across.y)), to = (int)floor(max(across.x, across.y));
-        for (int other = from; other <= min(to, from + 1); other++)
-            MarkSide(index, isUpright ? int2(other, along) : int2(along, other));
+        int2 others = CellsAcross(walk, along);
+        for (int other = others.x; other <= others.y; other++)
+            MarkSide(index, CellOf(walk, along, other));
     }
 }
 

@@ -131,7 +131,8 @@ namespace Glint.Tests
                     ["CENTRE_WORDS"] = TubeLists.CentreWords,
                     ["TUBE_EXTRAS"] = TubeKernels.TubeExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
-                    ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows
+                    ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows,
+                    ["SHADOW_LINKS"] = TubeKernels.ShadowLinks, ["SILHOUETTE_ROWS"] = TubeKernels.SilhouetteRows
                 }));
             Assert.That(s_ofTheDevice, Is.SubsetOf(constants.Keys));
         }
@@ -203,6 +204,6 @@ namespace Glint.Tests
 
         static readonly string[] s_ofTheDevice = { "DEEP_CELL", "BENT_CELL", "KINKED_CELL", "EDGE_CELL", "CHANGES", "TUBE_CELLS", "TUBE_BORDERS", "TUBE_WHOLES",
             "TUBE_NEXT_CELLS", "TUBE_CENTRES", "TUBE_OUTLINES", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_SIDES", "MAX_LISTED",
-            "TUBE_POINTS" };
+            "TUBE_POINTS", "MAX_SHADOWS", "SHADOW_RAY", "LIT_RAY" };
     }
 }

@@ -23,6 +23,10 @@ namespace Glint
         // float32.
         const double RelativeEdgeOffset = 2e-6;
 
+        // Base cells that a piece of a silhouette is long: what hides less of it from its receiver, or of its shadow from the
+        // radar, is found at its middle alone.
+        const double SilhouetteCells = 0.5;
+
         readonly string _owner;
         readonly TubeTracer _tubes;
         readonly DeviceScene _scene;
@@ -130,7 +134,7 @@ namespace Glint
             // Before the tubes' buffers are bound: it clears sums of its own.
             var clutter = Clutter(pose, cancel);
             var shipSea = clutter == null ? null : _shipSea.Sum(_scene, _surfaces, pose);
-            _tubes.SumAll(jobs, _scene, _surfaces);
+            _tubes.SumAll(jobs, _scene, _surfaces, read => AddTo(jobs, job => job.Edges, read));
             double floor = Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max), FloorOf(clutter));
             TraceEdges(jobs, read => AddTo(jobs, job => job.Edges, read), cancel);
             foreach (var job in jobs)
@@ -252,7 +256,7 @@ namespace Glint
         {
             SetScene(pose, cancel);
             var job = new TubeJob(pose, GridOf(pose));
-            _tubes.SumAll(new[] { job }, _scene, _surfaces);
+            _tubes.SumAll(new[] { job }, _scene, _surfaces, _ => { });
             job.Begin(1, 1);
             while (job.Left > 0)
             {
@@ -286,13 +290,17 @@ namespace Glint
             if (ahead != null)
                 _surfaces.Patches.Know(pose.Scene, pose.CreaseDegrees, ahead.Patches());
             _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.CoefficientFrequency);
+            if (!pose.IsMonostatic)
+                _surfaces.Silhouettes.Set(pose.Scene, _surfaces.Patches.OfInstances, _scene.Centre,
+                    SilhouetteCells * SideOf(pose));
             if (pose.HasEdges)
                 _edges.Set(pose.Scene, _surfaces.Patches.OfInstances, _surfaces.Patches.Parts, _scene.Centre,
                     TubeGrid.EdgePieceFor(pose), ahead);
         }
 
-        TubeGrid GridOf(CrossSectionPose pose) =>
-            new TubeGrid(pose, TubeGrid.SideFor(pose, _scene.Min, _scene.Max), _scene.Min, _scene.Max);
+        double SideOf(CrossSectionPose pose) => TubeGrid.SideFor(pose, _scene.Min, _scene.Max);
+
+        TubeGrid GridOf(CrossSectionPose pose) => new TubeGrid(pose, SideOf(pose), _scene.Min, _scene.Max);
 
         void TraceEdges(TubeJob[] jobs, Action<uint[]> add, CancellationToken cancel)
         {

@@ -40,6 +40,9 @@ namespace Glint
 
         public int SphereCount { get; private set; }
 
+        /// <summary>What casts the shadows of receivers; none where only the radar receives.</summary>
+        public SilhouetteBuffers Silhouettes { get; } = new SilhouetteBuffers();
+
         /// <summary>Corners, outlines or triangles, whichever are most: threads a pose that marks them.</summary>
         public int MarkedCount => Math.Max(SphereCount, Math.Max(SideCount, VertexCount));
 
@@ -63,6 +66,7 @@ namespace Glint
             Vertices.Dispose();
             Sides.Dispose();
             Spheres.Dispose();
+            Silhouettes.Dispose();
             Motions.Dispose();
             Reflections.Dispose();
             _scene = null;

@@ -37,6 +37,15 @@ namespace Glint
         /// <summary>Rows of a side of a triangle on the outline of its patch: SIDE_ROWS.</summary>
         public const int SideRows = 3;
 
+        /// <summary>Elements of the links of a border of a shadow, and rows of a silhouette: SHADOW_LINKS, SILHOUETTE_ROWS.</summary>
+        public const int ShadowLinks = 2, SilhouetteRows = 4;
+
+        // Elements of links of the shadows of a pose at most: 16 MB. Links for each piece of a silhouette: few cast a shadow.
+        const int MaxShadowLinks = 1 << 20, LinksASilhouette = 8;
+
+        // Of the kernel of shadows, a thread a piece, receiver and pose.
+        const int ShadowThreads = 1 << 22;
+
         /// <summary>Rows of a tube in _TubeExtras at a finite range: TUBE_EXTRAS.</summary>
         public const int TubeExtras = 5;
 
@@ -54,7 +63,7 @@ namespace Glint
         TubePose[] _slices;
         readonly DeviceBuffer<float4> _blocks = new DeviceBuffer<float4>("blocks of frequencies");
         readonly RevealedBits _revealed;
-        readonly int _clearMarks, _mark, _outlines, _cover, _cells, _fringes, _points, _parts, _bands;
+        readonly int _clearMarks, _mark, _outlines, _cover, _shadows, _cells, _fringes, _points, _parts, _bands;
         bool _hasBands;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
@@ -68,6 +77,7 @@ namespace Glint
             _mark = shader.FindKernel("MarkVertices");
             _outlines = shader.FindKernel("MarkOutlines");
             _cover = shader.FindKernel("MarkCover");
+            _shadows = shader.FindKernel("TubeShadows");
             _revealed = new RevealedBits(shader);
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
@@ -99,9 +109,9 @@ namespace Glint
             _slices = jobs.Select(job => new TubePose(job.Pose, job.Grid, BlocksOf(job.Grid))).ToArray();
             _poses.Upload(_slices);
             _receivers.Upload(jobs.SelectMany(job => ReceiverRows(job.Pose, rays.SceneCentre)).ToArray());
-            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points }))
+            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points, _shadows }))
                 _shader.SetBuffer(kernel, TubeIDs._Receivers, _receivers.Buffer);
-            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points, _mark, _outlines, _cover }))
+            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points, _mark, _outlines, _cover, _shadows }))
                 _shader.SetBuffer(kernel, TubeIDs._Poses, _poses.Buffer);
             _shader.SetInt(TubeIDs._PoseCount, jobs.Count);
             SetReceivers(_shader, pose);
@@ -200,17 +210,22 @@ namespace Glint
             }
             foreach (int kernel in _rounds.Kernels)
                 _shader.SetBuffer(kernel, TubeIDs._TubeParts, tubeParts.Buffer);
+            _shader.SetBuffer(_shadows, ShaderIDs._Sums, lists.Output.Buffer);
             foreach (int kernel in new[] { _parts, _bands })
                 _shader.SetBuffer(kernel, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
         }
 
-        /// <summary>Words of the marks of a grid: lists of corners and sides a cell, the cover, a count of links.</summary>
+        /// <summary>Words of the marks of a grid: lists of corners and sides a cell, the cover, counts of links.</summary>
         public static int MarkWordsOf(TubeGrid grid) =>
-            2 * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 2;
+            2 * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 3;
 
         /// <summary>Links of corners and sides in the lists of a grid's cells, at most.</summary>
         public static int LinksOf(TubeGrid grid, SurfaceBuffers surfaces) => 1 + VertexLinks * surfaces.VertexCount
             + (int)Math.Min(MaxSideLinks, 4.0 * surfaces.SideCount + 2 * surfaces.LengthOfSides / grid.Side);
+
+        /// <summary>Of them, elements of shadows at most.</summary>
+        public static int ShadowLinksOf(CrossSectionPose pose, SurfaceBuffers surfaces) => pose.IsMonostatic ? 0
+            : (int)Math.Min(MaxShadowLinks, (long)LinksASilhouette * ShadowLinks * surfaces.Silhouettes.Count * pose.Receivers.Length);
 
         static int2 BlocksOf(TubeGrid grid) => (grid.Cells + CoverSide - 1) / CoverSide;
 
@@ -219,19 +234,21 @@ namespace Glint
         /// </summary>
         /// <param name="markWords">Of the marks of a pose.</param>
         /// <param name="linkCapacity">Of a pose.</param>
-        public void Mark(int poses, int markWords, int linkCapacity, SurfaceBuffers surfaces, DeviceBuffer<uint> marks,
-            DeviceBuffer<uint4> links)
+        /// <param name="shadowCapacity">Of these links, those of shadows.</param>
+        public void Mark(int poses, int markWords, int linkCapacity, int shadowCapacity, SurfaceBuffers surfaces,
+            DeviceBuffer<uint> marks, DeviceBuffer<uint4> links)
         {
             _shader.SetInt(TubeIDs._SphereCount, surfaces.SphereCount);
             _shader.SetInt(TubeIDs._MarkWords, markWords);
             _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
             _shader.SetInt(TubeIDs._SideCount, surfaces.SideCount);
             _shader.SetInt(TubeIDs._LinkCapacity, linkCapacity);
-            foreach (int kernel in new[] { _clearMarks, _mark, _outlines, _cover })
+            _shader.SetInt(TubeIDs._ShadowCapacity, shadowCapacity);
+            foreach (int kernel in new[] { _clearMarks, _mark, _outlines, _cover, _shadows })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenMarks, marks.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
-            foreach (int kernel in new[] { _mark, _outlines })
+            foreach (int kernel in new[] { _mark, _outlines, _shadows })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenLinks, links.Buffer);
             foreach (int kernel in new[] { _outlines, _cells, _rays.Outlines })
                 _shader.SetBuffer(kernel, TubeIDs._Sides, surfaces.Sides.Buffer);
@@ -243,6 +260,23 @@ namespace Glint
             _shader.DispatchThreads(_mark, (long)poses * surfaces.VertexCount);
             _shader.DispatchThreads(_outlines, (long)poses * surfaces.SideCount);
             _shader.DispatchThreads(_cover, (long)poses * surfaces.SphereCount);
+        }
+
+        /// <summary>
+        /// Lists the borders of what receivers apart from the radar see, in the cells that they run through. Counts its rays.
+        /// </summary>
+        /// <param name="poses">Times receivers.</param>
+        public void MarkShadows(int poses, DeviceScene scene, SilhouetteBuffers silhouettes)
+        {
+            _shader.SetBvhs(_shadows, scene);
+            _shader.SetBuffer(_shadows, TubeIDs._Silhouettes, silhouettes.Pieces.Buffer);
+            int most = Math.Max(1, ShadowThreads / poses);
+            for (int first = 0; first < silhouettes.Count; first += most)
+            {
+                int count = Math.Min(most, silhouettes.Count - first);
+                _shader.SetInts(TubeIDs._SilhouetteRange, first, count);
+                _shader.DispatchThreads(_shadows, (long)count * poses);
+            }
         }
 
         /// <summary>Makes room for what attempts reveal of poses.</summary>

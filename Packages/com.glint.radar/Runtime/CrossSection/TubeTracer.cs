@@ -71,8 +71,9 @@ namespace Glint
             && (long)poses * surfaces.MarkedCount <= KernelCalls.MaxThreads;
 
         /// <summary>Sets the poses, which are alike, and what is summed: S.</summary>
+        /// <param name="add">Receives the output of the rays that find shadows of receivers.</param>
         /// <inheritdoc cref="Bind"/>
-        public void SumAll(TubeJob[] jobs, DeviceScene scene, SurfaceBuffers surfaces)
+        public void SumAll(TubeJob[] jobs, DeviceScene scene, SurfaceBuffers surfaces, Action<uint[]> add)
         {
             _factor = Math.Min(ListFactor, Math.Max(_factor, 1 + (jobs.Length - 1) / PosesAList));
             _slicesOfFactor = 0;
@@ -82,6 +83,11 @@ namespace Glint
                 _kernels.SumAll();
             };
             _bind();
+            if (!jobs[0].Pose.IsMonostatic)
+            {
+                _lists.Output.ReadBack(_read, _read.Length);
+                add(_read);
+            }
             _kernels.ClearRevealed(jobs.Length);
         }
 
@@ -117,11 +123,17 @@ namespace Glint
             _tubeExtras.Reserve(pose.IsFar && !pose.IsMoving ? 1 : (long)TubeKernels.ExtraRowsOf(pose) * Capacity);
             _kernels.SetLists(_lists, _tubeParts, _tubeExtras);
             int words = jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
-            int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces);
+            int shadows = TubeKernels.ShadowLinksOf(pose, surfaces);
+            int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces) + shadows;
             _marks.Reserve((long)jobs.Length * words);
             _links.Reserve((long)jobs.Length * links);
             _kernels.BindRevealed(jobs.Length);
-            _kernels.Mark(jobs.Length, words, links, surfaces, _marks, _links);
+            _kernels.Mark(jobs.Length, words, links, shadows, surfaces, _marks, _links);
+            if (!pose.IsMonostatic)
+            {
+                _kernels.Clear(_read.Length);
+                _kernels.MarkShadows(jobs.Length * pose.Receivers.Length, scene, surfaces.Silhouettes);
+            }
         }
 
         // Corners of a round, of which what they meet is kept.
