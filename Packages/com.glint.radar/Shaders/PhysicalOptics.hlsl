@@ -51,14 +51,19 @@ bool IsFacing(SurfacePoint at, Receiver receiver)
     return dot(at.FacetNormal, receiver.Direction) > 0.0;
 }
 
+// Whether the current at a hit is one of those that are summed for a receiver: of a path that has met a sea with a diffuse echo
+// alone only those about the mirror direction.
+bool IsSummed(TubePath tube, SurfacePoint at, Receiver receiver)
+{
+    return !at.IsLost && (tube.HasMetTarget
+        || dot(Mirrored(tube.Path.Ray.Direction, at.Normal), receiver.Direction) >= MIN_SEA_MIRROR);
+}
+
 // Whether the current at a hit radiates to a receiver that nothing hides: that of the first bounce also makes the shadow
 // behind the surface, later ones do not pass through it.
 bool RadiatesInSight(TubePath tube, SurfacePoint at, Receiver receiver)
 {
-    if (at.IsLost || !tube.HasMetTarget
-        && dot(Mirrored(tube.Path.Ray.Direction, at.Normal), receiver.Direction) < MIN_SEA_MIRROR)
-        return false;
-    return tube.Path.Bounces == 1 || IsFacing(at, receiver);
+    return IsSummed(tube, at, receiver) && (tube.Path.Bounces == 1 || IsFacing(at, receiver));
 }
 
 // Whether the current at a hit radiates to a receiver.

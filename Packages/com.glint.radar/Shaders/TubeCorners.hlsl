@@ -24,6 +24,7 @@ bool HasBaseCell(uint2 corner)
 struct CornerPosition
 {
     float2 OnGrid;         // base cells
+    float Side;            // of the cells
     uint Number;
     uint Whole;            // number in the round before of the cell that was divided
     bool IsNeeded;
@@ -43,6 +44,7 @@ CornerPosition PositionOf(uint index)
     CornerPosition position = (CornerPosition)0;
     position.Number = index;
     position.IsCounted = true;
+    position.Side = 1.0;
     if (_Round == 0)
     {
         s_pose = PoseOf(index, true);
@@ -60,7 +62,8 @@ CornerPosition PositionOf(uint index)
     uint2 at = uint2(place % 3, place / 3);
     Cell cell = LoadCell(BLOCK_CELLS * block);
     position.Number = CornerOfBlock(block, at);
-    position.OnGrid = SideOfCell(cell) * (cell.Position + at);
+    position.Side = SideOfCell(cell);
+    position.OnGrid = position.Side * (cell.Position + at);
     position.Whole = cell.Whole;
     position.IsNeeded = true;
     return position;
@@ -98,7 +101,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         Corner corner;
         corner.Signature = tube.Signature;
         // Of what is hidden from all receivers a part between the corners may be seen, and as strong.
-        uint seen = receivers != 0 ? receivers : ReceiversFaced(tube, at);
+        uint seen = receivers != 0 ? receivers : ReceiversFaced(tube, at, position.Side);
         corner.Traits = (uint)ceil(255.0 * CrossPartAt(tube, at, seen)) << 8 | FacetsOf(tube) << 16;
         corner.Strength = StrengthAt(tube, at, seen);
         corner.Changes = HalfOf(SteepnessAt(tube, seen))

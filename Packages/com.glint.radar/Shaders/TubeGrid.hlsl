@@ -15,14 +15,23 @@ uint ReceiversOf(TubePath tube, SurfacePoint at)
     return receivers;
 }
 
-// Who would receive it if nothing were in between.
-uint ReceiversFaced(TubePath tube, SurfacePoint at)
+// Whether what is met within a step on the grid, base cells, may face a receiver: a curved patch turns.
+bool MayFace(SurfacePoint at, float3 direction, float step)
+{
+    return dot(at.Normal, direction) + step * (abs(dot(at.NormalU, direction)) + abs(dot(at.NormalV, direction))) > 0.0;
+}
+
+// Who would receive what is painted within a step on the grid if nothing were in between.
+uint ReceiversFaced(TubePath tube, SurfacePoint at, float step)
 {
     uint receivers = 0;
     [loop]
     for (uint index = 0; index < _ReceiverCount; index++)
-        if (RadiatesInSight(tube, at, ReceiverFrom(index, tube.Path.Ray.Origin)))
+    {
+        Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
+        if (RadiatesInSight(tube, at, receiver) || IsSummed(tube, at, receiver) && MayFace(at, receiver.Direction, step))
             receivers |= 1u << index;
+    }
     return receivers;
 }
 
