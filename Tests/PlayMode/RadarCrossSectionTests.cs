@@ -281,7 +281,7 @@ namespace Glint.Tests
                 ["frequency of 0"] = (it => it.Frequencies = "0",
                     "frequencies 0: each frequency must be from 1 to 1e12 hertz"),
                 ["frequency given twice"] = (it => it.Frequencies = "1e9,1e9",
-                    "the frequency 1000000000 Hz is given twice: give each once"),
+                    "the frequency 1000000000 hertz is given twice: give each once"),
                 ["range of two parts"] = (it => it.Azimuths = "0:45", "azimuths 0:45: a range has three parts"),
                 ["frequency for the size"] = (it =>
                 {

@@ -34,27 +34,30 @@ float4 ShadowOf(uint link)
     return asfloat(uint4(_Links[link].xy, _Links[link + 1].xy));
 }
 
+// None has one if the list of shadows is full.
 bool HasShadow(Cell cell, uint link)
 {
+    if (!HasAllShadows())
+        return false;
     float4 border = ShadowOf(link);
     return MiddleWithin(cell, border.xy, border.zw) >= 0.0;
 }
 
-// Rays that are to look beside the outlines in a cell, one for each, and on both sides of shadows, or TOO_MANY_RAYS. Lists have no order: a
-// part of one would differ from run to run.
+// Rays that are to look beside the outlines in a cell, one for each, and on both sides of shadows, or TOO_MANY_RAYS. Lists have
+// no order: a part of one would differ from run to run.
 uint CountOutlineRays(Cell cell)
 {
     uint link = _Marks[OutlineWord(cell.Position >> cell.Level)], listed = 0, rays = 0, shadows = 0;
-    if (link == 0 || !HasAllSides() || !HasAllShadows())
+    if (link == 0 || !HasAllSides())
         return 0;
     [loop]
     for (; link != 0 && listed < MAX_LISTED; listed++)
     {
         uint4 side = _Links[link - 1];
-        if (side.w != 0)
-            shadows += HasShadow(cell, link - 1) ? 1 : 0;
-        else
+        if (side.w == 0)
             rays += RunsThrough(cell, side.x) ? 1 : 0;
+        else
+            shadows += HasShadow(cell, link - 1) ? 1 : 0;
         link = side.z;
     }
     return rays > MAX_SIDES || shadows > MAX_SHADOWS || listed == MAX_LISTED ? TOO_MANY_RAYS : rays + 2 * shadows;
