@@ -43,8 +43,8 @@ namespace Glint.Tests
             SampleSweep.Write(_folder.PathOf("whole"), SampleSweep.Identity(poses: Poses), Poses, Poses);
             for (int count = 1; count <= Poses; count++)
             {
-                string[] parts = Enumerable.Range(1, count).Select(number => Part(number, count)).ToArray();
-                ResultsMerge.Merge(parts.Reverse().ToArray(), _folder.PathOf("merged"));
+                string[] parts = Enumerable.Range(1, count).Reverse().Select(number => Part(number, count)).ToArray();
+                ResultsMerge.Merge(parts, _folder.PathOf("merged"));
                 foreach (string name in new[] { "results.csv", "results.json" })
                     Assert.That(Text("merged", name), Is.EqualTo(Text("whole", name)), $"{count} parts");
             }
