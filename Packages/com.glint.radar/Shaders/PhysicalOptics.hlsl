@@ -66,6 +66,18 @@ bool RadiatesInSight(TubePath tube, SurfacePoint at, Receiver receiver)
     return IsSummed(tube, at, receiver) && (tube.Path.Bounces == 1 || IsFacing(at, receiver));
 }
 
+// Whether nothing is between a place and a receiver. excludedTriangle: that of the place; NO_INSTANCE: it is on none.
+bool IsInSight(float3 start, uint2 excludedTriangle, Receiver receiver)
+{
+    Ray ray = (Ray)0;
+    ray.Origin = start;
+    ray.Start = start;
+    ray.Direction = receiver.Direction;
+    ray.ExcludedTriangle = excludedTriangle;
+    bool isAmbiguous;
+    return !AnyHit(ray, receiver.Distance, isAmbiguous);
+}
+
 // Whether the current at a hit radiates to a receiver.
 bool Radiates(TubePath tube, SurfacePoint at, Receiver receiver)
 {
@@ -73,13 +85,7 @@ bool Radiates(TubePath tube, SurfacePoint at, Receiver receiver)
         return false;
     if (tube.Path.Bounces == 1 && (_IsMonostatic != 0 || !IsFacing(at, receiver)))
         return true;
-    Ray ray = (Ray)0;
-    ray.Origin = at.NextStart;
-    ray.Start = at.NextStart;
-    ray.Direction = receiver.Direction;
-    ray.ExcludedTriangle = at.Triangle;
-    bool isAmbiguous;
-    return !AnyHit(ray, receiver.Distance, isAmbiguous);
+    return IsInSight(at.NextStart, at.Triangle, receiver);
 }
 
 // Factor of the current towards a curved surface's shadow: over the width in which nature fades it.

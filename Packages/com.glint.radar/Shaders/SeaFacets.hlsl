@@ -102,13 +102,7 @@ bool IsLit(float3 position, float3 normal, Receiver radar)
 {
     if (dot(normal, radar.Direction) <= 0.0)
         return false;
-    Ray ray = (Ray)0;
-    ray.Origin = position + _SeaWind.w * normal;
-    ray.Start = ray.Origin;
-    ray.Direction = radar.Direction;
-    ray.ExcludedTriangle = NO_INSTANCE;
-    bool isAmbiguous;
-    return !AnyHit(ray, radar.Distance, isAmbiguous);
+    return IsInSight(position + _SeaWind.w * normal, (uint2)NO_INSTANCE, radar);
 }
 
 uint WordOf(uint sum, uint copy)

@@ -64,13 +64,8 @@ float2 LitPart(EdgePiece piece, uint which, inout uint rays)
     for (uint step = 0; step < 2 + EDGE_BISECTIONS && goesOn; step++)
     {
         float at = step == 0 ? border.x : step == 1 ? border.y : 0.5 * (border.x + border.y);
-        Ray ray = (Ray)0;
-        ray.Origin = start + at * piece.Along;
-        ray.Start = ray.Origin;
-        ray.ExcludedTriangle = NO_INSTANCE;
-        Receiver receiver = ReceiverFrom(which, ray.Origin);
-        ray.Direction = receiver.Direction;
-        bool isAmbiguous, isLit = !AnyHit(ray, receiver.Distance, isAmbiguous);
+        float3 position = start + at * piece.Along;
+        bool isLit = IsInSight(position, (uint2)NO_INSTANCE, ReceiverFrom(which, position));
         rays++;
         if (step == 0)
             isFirstLit = isLit;

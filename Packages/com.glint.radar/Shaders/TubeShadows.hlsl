@@ -41,19 +41,6 @@ Silhouette LoadSilhouette(uint piece, uint receiver)
     return edge;
 }
 
-// Whether nothing is between a place and a receiver; with _ReceiverCount, the radar.
-bool IsInSight(float3 position, uint2 excludedTriangle, uint which)
-{
-    Receiver receiver = ReceiverFrom(which, position);
-    Ray ray = (Ray)0;
-    ray.Origin = position;
-    ray.Start = position;
-    ray.Direction = receiver.Direction;
-    ray.ExcludedTriangle = excludedTriangle;
-    bool isAmbiguous;
-    return !AnyHit(ray, receiver.Distance, isAmbiguous);
-}
-
 // Where the sight from a receiver past a position meets a plane.
 float3 CastOn(float3 position, float3 onPlane, float3 normal, uint receiver)
 {
@@ -92,7 +79,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (!edge.IsSeen)
         return;
     float3 middle = 0.5 * (edge.Start + edge.End) + BESIDE_SILHOUETTE * _SceneCentreExtent.w * edge.Outward;
-    Ray ray = BeginPath(middle, -ReceiverFrom(index, middle).Direction, 0.0).Ray;
+    Receiver receiver = ReceiverFrom(index, middle);
+    Ray ray = BeginPath(middle, -receiver.Direction, 0.0).Ray;
     Hit hit = ClosestHit(ray, MISS, NO_ENTRY_POINTS, NOT_MET);
     uint rays = 1;
     float3 onPlane = middle + hit.Distance * ray.Direction;
@@ -100,8 +88,9 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (!IsMiss(hit) && dot(hit.Normal, ReceiverFrom(_ReceiverCount, onPlane).Direction) > 0.0)
     {
         rays += 2;
-        if (IsInSight(middle, ray.ExcludedTriangle, index)
-            && IsInSight(hit.NextStart, NumberOf(hit.Instance, hit.Row, hit.Second), _ReceiverCount))
+        if (IsInSight(middle, ray.ExcludedTriangle, receiver)
+            && IsInSight(hit.NextStart, NumberOf(hit.Instance, hit.Row, hit.Second),
+                ReceiverFrom(_ReceiverCount, hit.NextStart)))
             ListShadow(edge, onPlane, hit.Normal, index);
     }
     // Additions to one word wait for each other.
