@@ -1,7 +1,7 @@
 #ifndef GLINT_CELL_MARKS
 #define GLINT_CELL_MARKS
 
-#include "TubeBindings.hlsl"
+#include "TubeShapes.hlsl"
 
 // Lists lines in the base cells that they run through.
 
@@ -22,18 +22,18 @@ void MarkSide(uint side, int2 cell)
     _WrittenLinks[link] = uint4(side, 0, next, 0);
 }
 
-// Lists the border of a shadow in a base cell.
-void MarkShadow(float2 start, float2 end, int2 cell)
+// Lists a line on the grid in a base cell.
+void MarkLine(float2 start, float2 end, uint kind, int2 cell)
 {
     uint link, next;
     if (any(cell < 0) || any((uint2)cell >= _Poses[s_pose].Cells))
         return;
-    InterlockedAdd(_WrittenMarks[ShadowCountWord()], SHADOW_LINKS, link);
-    if (link + SHADOW_LINKS > _ShadowCapacity)
+    InterlockedAdd(_WrittenMarks[LineCountWord()], LINE_LINKS, link);
+    if (link + LINE_LINKS > _LineCapacity)
         return;
-    link += (s_pose + 1) * _LinkCapacity - _ShadowCapacity;
+    link += (s_pose + 1) * _LinkCapacity - _LineCapacity;
     InterlockedExchange(_WrittenMarks[OutlineWord(cell)], 1 + link, next);
-    _WrittenLinks[link] = uint4(asuint(start), next, 1);
+    _WrittenLinks[link] = uint4(asuint(start), next, kind);
     _WrittenLinks[link + 1] = uint4(asuint(end), 0, 0);
 }
 
@@ -71,6 +71,26 @@ int2 CellsAcross(CellWalk walk, float along)
 int2 CellOf(CellWalk walk, float along, int other)
 {
     return walk.IsUpright ? int2(other, along) : int2(along, other);
+}
+
+// Base cells along a line that is listed, at most: what is seen at a flatter angle is not.
+static const float MAX_LINE_CELLS = 32.0;
+
+// Lists a line on the grid in the base cells that it runs through, so that a place lies to its left.
+void ListLine(float2 start, float2 end, float2 aside, uint kind)
+{
+    bool isLeft = Cross2(end - start, aside - start) > 0.0;
+    CellWalk walk = BeginWalk(start, end);
+    // Compilers may take a comparison with NaN for either.
+    if (IsNaN(start.x + start.y + end.x + end.y) || walk.Last - walk.First >= MAX_LINE_CELLS)
+        return;
+    [loop]
+    for (float along = walk.First; along <= walk.Last; along += 1.0)
+    {
+        int2 others = CellsAcross(walk, along);
+        for (int other = others.x; other <= others.y; other++)
+            MarkLine(isLeft ? start : end, isLeft ? end : start, kind, CellOf(walk, along, other));
+    }
 }
 
 #endif

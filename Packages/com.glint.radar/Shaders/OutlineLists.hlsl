@@ -28,39 +28,60 @@ bool RunsThrough(Cell cell, uint side)
     return MiddleWithin(cell, a, b) >= 0.0;
 }
 
-// Start and end of the border of a shadow. link: its first element in _Links.
-float4 ShadowOf(uint link)
+// Start and end of a line. link: its first element in _Links.
+float4 LineOf(uint link)
 {
     return asfloat(uint4(_Links[link].xy, _Links[link + 1].xy));
 }
 
-// None has one if the list of shadows is full.
-bool HasShadow(Cell cell, uint link)
+// None has one if the list of lines is full.
+bool HasLine(Cell cell, uint link)
 {
-    if (!HasAllShadows())
+    if (!HasAllLines())
         return false;
-    float4 border = ShadowOf(link);
-    return MiddleWithin(cell, border.xy, border.zw) >= 0.0;
+    float4 ends = LineOf(link);
+    return MiddleWithin(cell, ends.xy, ends.zw) >= 0.0;
+}
+
+// Whether rays are to look beside an element of a list in a cell. Images matter until the second bounce is summed.
+bool IsToLook(Cell cell, uint link)
+{
+    uint4 element = _Links[link];
+    bool isImage = element.w == IMAGE_LINE, isWithin = false;
+    if (cell.FirstBounce > (isImage ? 1u : 0u))
+        return false;
+    if (element.w == 0)
+        isWithin = RunsThrough(cell, element.x);
+    else
+        isWithin = HasLine(cell, link);
+    return isWithin;
 }
 
 // Rays that are to look beside the outlines in a cell, one for each, and on both sides of shadows, or TOO_MANY_RAYS. Lists have
 // no order: a part of one would differ from run to run.
 uint CountOutlineRays(Cell cell)
 {
-    uint link = _Marks[OutlineWord(cell.Position >> cell.Level)], listed = 0, rays = 0, shadows = 0;
+    uint link = _Marks[OutlineWord(cell.Position >> cell.Level)], listed = 0, rays = 0, shadows = 0, images = 0;
     if (link == 0 || !HasAllSides())
         return 0;
     [loop]
     for (; link != 0 && listed < MAX_LISTED; listed++)
     {
-        uint4 side = _Links[link - 1];
-        if (side.w == 0)
-            rays += RunsThrough(cell, side.x) ? 1 : 0;
-        else
-            shadows += HasShadow(cell, link - 1) ? 1 : 0;
-        link = side.z;
+        uint kind = _Links[link - 1].w, toLook = IsToLook(cell, link - 1) ? 1 : 0;
+        rays += kind == 0 ? toLook : 0;
+        shadows += kind == SHADOW_LINE ? toLook : 0;
+        images += kind == IMAGE_LINE ? toLook : 0;
+        link = _Links[link - 1].z;
     }
-    return rays > MAX_SIDES || shadows > MAX_SHADOWS || listed == MAX_LISTED ? TOO_MANY_RAYS : rays + 2 * shadows;
+    bool isTooMany = rays > MAX_SIDES || shadows > MAX_SHADOWS || images > MAX_IMAGES || listed == MAX_LISTED;
+    return isTooMany ? TOO_MANY_RAYS : rays + 2 * shadows + images;
+}
+
+void ListRay(inout uint ray, uint centre, uint beside)
+{
+    if (ray < _ListCapacity.x)
+        _Outlines[ray] = uint2(centre, beside);
+    ray++;
 }
 
 // Lists these rays. centre: of the cell in _Centres.
@@ -71,22 +92,15 @@ void ListOutlineRays(Cell cell, uint centre, uint rays)
     [loop]
     for (uint link = _Marks[OutlineWord(cell.Position >> cell.Level)]; link != 0;)
     {
-        uint4 side = _Links[link - 1];
-        bool isShadow = side.w != 0, isWithin;
-        if (isShadow)
-            isWithin = HasShadow(cell, link - 1);
-        else
-            isWithin = RunsThrough(cell, side.x);
-        if (isWithin)
+        uint4 element = _Links[link - 1];
+        if (IsToLook(cell, link - 1))
         {
-            if (ray < _ListCapacity.x)
-                _Outlines[ray] = uint2(centre, isShadow ? SHADOW_RAY | link - 1 : side.x);
-            ray++;
-            if (isShadow && ray < _ListCapacity.x)
-                _Outlines[ray] = uint2(centre, SHADOW_RAY | LIT_RAY | link - 1);
-            ray += isShadow ? 1 : 0;
+            uint lineRay = link - 1 | (element.w == IMAGE_LINE ? IMAGE_RAY : SHADOW_RAY);
+            ListRay(ray, centre, element.w == 0 ? element.x : lineRay);
+            if (element.w == SHADOW_LINE)
+                ListRay(ray, centre, lineRay | LIT_RAY);
         }
-        link = side.z;
+        link = element.z;
     }
 }
 

@@ -225,8 +225,8 @@ uint _MarkWords;                           // of a pose
 StructuredBuffer<float4> _Vertices;
 StructuredBuffer<uint> _Marks;             // per pose and base cell 1 + first element of _Links, or 0: of corners, then
                                            // of outlines; then the words of the cover
-StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or number of a side; 1 + next element, or 0; 1: of a
-                                           // shadow
+StructuredBuffer<uint4> _Links;            // place of a corner, base cells, or number of a side; 1 + next element, or 0; kind
+                                           // of a line
 
 // Sides of triangles on the outlines of patches: ends and third corner of the triangle, relative to the scene's centre, m.
 // Each base cell has a list of those that run through it, behind the links of the corners.
@@ -236,15 +236,20 @@ uint _SideCount;
 uint _LinkCapacity;                        // of a pose
 StructuredBuffer<float4> _Sides;
 
-// Borders of shadows, where a receiver apart from the radar begins to see a surface: lines on the grid, in the same lists of
-// base cells, with two elements of _Links each at the end of those of a pose: start, next and 1; end.
-static const uint SHADOW_LINKS = 2;
+// Lines on the grid, in the same lists of base cells, with two elements of _Links each at the end of those of a pose: start,
+// next and kind; end. To the left of a line lies the shadow, or the patch.
+static const uint SHADOW_LINE = 1;         // border of a shadow: a receiver apart from the radar begins to see a surface
+static const uint IMAGE_LINE = 2;          // outline of a patch, seen in a flat patch as in a mirror
+static const uint LINE_LINKS = 2;
 static const uint SILHOUETTE_ROWS = 4;     // of a piece of an edge that may cast one
 static const uint MAX_SHADOWS = 16;         // beside which rays look
-uint _ShadowCapacity;                      // of a pose: elements of _Links
+static const uint OUTLINE_ROWS = 3;        // of a piece of an outline that flat patches may mirror
+static const uint MIRROR_ROWS = 3;         // of such a patch
+static const uint MAX_IMAGES = 8;          // beside which rays look
+uint _LineCapacity;                        // of a pose: elements of _Links
 
 // Cover: a bit for each block of base cells in which triangles may be seen, then a word that is not 0 if all may be. The
-// last words of all count the elements of shadows, and the links of outlines.
+// last words of all count the elements of lines, and the links of outlines.
 static const uint COVER_SIDE = 8;           // of a block, in base cells
 static const uint MAX_COVERED = 4096;       // blocks that one thread marks
 uint _SphereCount;
@@ -276,7 +281,7 @@ uint SideCountWord()
     return (s_pose + 1) * _MarkWords - 1;
 }
 
-uint ShadowCountWord()
+uint LineCountWord()
 {
     return (s_pose + 1) * _MarkWords - 2;
 }
@@ -289,7 +294,7 @@ uint AllCoveredWord()
 // Links that outlines may have.
 uint SideLinks()
 {
-    return _LinkCapacity - _ShadowCapacity - VERTEX_LINKS * _VertexCount;
+    return _LinkCapacity - _LineCapacity - VERTEX_LINKS * _VertexCount;
 }
 
 // Whether the links of the outlines suffice.
@@ -299,9 +304,9 @@ bool HasAllSides()
 }
 
 // Whether those of shadows do.
-bool HasAllShadows()
+bool HasAllLines()
 {
-    return _Marks[ShadowCountWord()] <= _ShadowCapacity;
+    return _Marks[LineCountWord()] <= _LineCapacity;
 }
 
 // The place on the grid of a position relative to the scene's centre, base cells.
@@ -391,12 +396,13 @@ StructuredBuffer<Cell> _TubeCells;         // of this round
 RWStructuredBuffer<Cell> _NextCells;       // of the next one
 RWStructuredBuffer<Cell> _Borders;         // border cells: in the first half those that are cut
 // Of each cell whose centre is traced: its number; strength of its thin parts; strength beside outlines along which the phase
-// is slow, or 0.
-static const uint CENTRE_WORDS = 3;
+// is slow, or 0; strength of thin parts that only images of outlines tell of, which the first bounce does not meet.
+static const uint CENTRE_WORDS = 4;
 RWStructuredBuffer<uint> _Centres;
-// Of each ray beside an outline: number in _Centres, number of the side; of one beside a shadow its link and these bits.
+// Of each ray beside an outline: number in _Centres, number of the side; of one beside another line its link and these bits.
 static const uint SHADOW_RAY = 0x80000000;
 static const uint LIT_RAY = 0x40000000;    // outside the shadow
+static const uint IMAGE_RAY = 0x20000000;  // beside an image of an outline
 RWStructuredBuffer<uint2> _Outlines;
 
 // Adds a cell to a list that is filled from both ends, so that neighbouring threads follow rays of as many bounces. Returns its

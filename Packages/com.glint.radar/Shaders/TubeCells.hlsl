@@ -26,7 +26,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint rays = 0;
     if (HasVertex(cell))
         rays = TOO_MANY_RAYS;
-    else if (cell.FirstBounce == 0 && cell.Level < MaxLevel())
+    else if (cell.FirstBounce < 2 && cell.Level < MaxLevel())
         rays = CountOutlineRays(cell);
     if (rays == TOO_MANY_RAYS)
     {
@@ -40,8 +40,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     {
         uint centre = AddToList(TUBE_CENTRES, IsDeep(cell), 1, _ListCapacity.w);
         _Centres[CENTRE_WORDS * centre] = index;
-        _Centres[CENTRE_WORDS * centre + 1] = 0;
-        _Centres[CENTRE_WORDS * centre + 2] = 0;
+        for (uint word = 1; word < CENTRE_WORDS; word++)
+            _Centres[CENTRE_WORDS * centre + word] = 0;
         if (rays > 0)
             ListOutlineRays(cell, centre, rays);
         return;

@@ -21,9 +21,11 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint centre = ElementOfList(TUBE_CENTRES, index, 1, _ListCapacity.w);
     Cell cell = LoadCell(_Centres[CENTRE_WORDS * centre]);
     CellCorners corners = LoadCorners(cell);
-    float thin = asfloat(_Centres[CENTRE_WORDS * centre + 1]), edge = asfloat(_Centres[CENTRE_WORDS * centre + 2]);
+    float thin = asfloat(_Centres[CENTRE_WORDS * centre + 1]), edge = asfloat(_Centres[CENTRE_WORDS * centre + 2]),
+        thinLater = asfloat(_Centres[CENTRE_WORDS * centre + 3]);
     cell.Traits |= edge > 0.0 ? EDGE_CELL : 0;
-    uint common = thin > 0.0 ? 0 : corners.Common;
+    uint common = thin > 0.0 ? 0 : thinLater > 0.0 ? min(corners.Common, 1) : corners.Common;
+    thin = max(thin, thinLater);
     float3 left = thin;      // as Strength, Thinned and Bent of a cell
     if (common > cell.FirstBounce)
     {
@@ -49,8 +51,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             }
             if (!goesOn)
             {
-                left = strength * weight * float3(1.0, ThinningIn(cell, SteepnessAt(tube, receivers), side),
-                    BentPieceError(side * side * BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin))));
+                left = max(left, strength * weight * float3(1.0, ThinningIn(cell, SteepnessAt(tube, receivers), side),
+                    BentPieceError(side * side * BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin)))));
                 break;
             }
             if (!ScatterTube(tube, at))

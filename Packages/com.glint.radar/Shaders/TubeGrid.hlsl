@@ -105,6 +105,18 @@ uint SignatureAt(float2 position, Cell cell, uint bounces)
     return SignatureIn(cell, tube);
 }
 
+// Distance of a ray from the outline beside which it looks, on the side of the patch: in sides of the cell, and in places on
+// the grid, which are rounded.
+static const float BESIDE = 1.0 / 1024.0, ROUNDED_BESIDE = 1.0e-6;
+
+// A position beside another one on a line from a to b, towards one inside. side: of the cell.
+float2 BesideLine(float2 position, float2 a, float2 b, float2 inside, float side)
+{
+    float2 along = (b - a) / max(length(b - a), 1.0e-9), across = float2(-along.y, along.x);
+    float offset = BESIDE * side + ROUNDED_BESIDE * max(position.x, position.y);
+    return position + (dot(across, inside - a) < 0.0 ? -offset : offset) * across;
+}
+
 // Makes its pose that of the thread.
 Cell LoadBorder(uint index)
 {

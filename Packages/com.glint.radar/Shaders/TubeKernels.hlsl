@@ -31,6 +31,8 @@
 #include "TubeOutlines.hlsl"
 #elif defined(GLINT_SHADOWS)
 #include "TubeShadows.hlsl"
+#elif defined(GLINT_IMAGES)
+#include "TubeImages.hlsl"
 #elif defined(GLINT_CENTRES)
 #include "TubeCentres.hlsl"
 #elif defined(GLINT_SEA)

@@ -9,10 +9,6 @@
 // thin parts of patches, and strips that a second bounce meets at grazing incidence, beside the line where patches meet. Beside
 // the border of a shadow: what a receiver does not see, or nothing else. One thread a ray.
 
-// Distance of a ray from the outline beside which it looks, on the side of the patch: in sides of the cell, and in places on
-// the grid, which are rounded.
-static const float BESIDE = 1.0 / 1024.0, ROUNDED_BESIDE = 1.0e-6;
-
 // Start and end of an outline, and a place on the side of the patch.
 struct Outline
 {
@@ -28,26 +24,25 @@ Outline LoadOutline(uint side)
     return outline;
 }
 
-// The border of a shadow, which lies to its left. The corners have met one side of it at most, if the other is smaller than the
-// cell: a ray looks at each.
-Outline LoadShadow(uint ray)
+// A line on the grid, with the patch or the shadow to its left. Of the border of a shadow the corners have met one side at most,
+// if the other is smaller than the cell: a ray looks at each.
+Outline LoadLine(uint ray)
 {
-    float4 border = ShadowOf(ray & ~(SHADOW_RAY | LIT_RAY));
-    float2 step = border.zw - border.xy, left = float2(-step.y, step.x);
+    float4 ends = LineOf(ray & ~(SHADOW_RAY | LIT_RAY | IMAGE_RAY));
+    float2 step = ends.zw - ends.xy, left = float2(-step.y, step.x);
     Outline outline;
-    outline.Start = border.xy;
-    outline.End = border.zw;
-    outline.Inside = border.xy + ((ray & LIT_RAY) == 0 ? left : -left);
+    outline.Start = ends.xy;
+    outline.End = ends.zw;
+    outline.Inside = ends.xy + ((ray & LIT_RAY) == 0 ? left : -left);
     return outline;
 }
 
+// Where the ray looks; along: unit vector.
 float2 PlaceBeside(Cell cell, Outline outline, out float2 along)
 {
     float2 a = outline.Start, b = outline.End;
     along = (b - a) / max(length(b - a), 1.0e-9);
-    float2 place = lerp(a, b, MiddleWithin(cell, a, b)), across = float2(-along.y, along.x);
-    float offset = BESIDE * SideOfCell(cell) + ROUNDED_BESIDE * max(place.x, place.y);
-    return place + (dot(across, outline.Inside - a) < 0.0 ? -offset : offset) * across;
+    return BesideLine(lerp(a, b, MiddleWithin(cell, a, b)), a, b, outline.Inside, SideOfCell(cell));
 }
 
 // Whether a ray through a corner of a cell has met the same, up to the last hit.
@@ -68,12 +63,12 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     uint2 ray = _Outlines[index];
     uint centre = CENTRE_WORDS * ray.x;
-    bool isShadow = (ray.y & SHADOW_RAY) != 0;
+    bool isShadow = (ray.y & SHADOW_RAY) != 0, isImage = (ray.y & IMAGE_RAY) != 0;
     Cell cell = LoadCell(_Centres[centre]);
     CellCorners corners = LoadCorners(cell);
     Outline outline;
-    if (isShadow)
-        outline = LoadShadow(ray.y);
+    if (isShadow || isImage)
+        outline = LoadLine(ray.y);
     else
         outline = LoadOutline(ray.y);
     float2 along;
@@ -88,13 +83,14 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         // A phase is slow where it thins nothing.
         bool isMet = IsMet(corners, tube),
             isSlow = !isShadow && Thinning(SlopeAlong(tube, receivers, along), SideOfCell(cell)) == 1.0;
-        if (!isMet || isSlow)
+        // An image is one of what the second bounce meets.
+        if ((!isMet || isSlow) && tube.Path.Bounces > (isImage ? 1u : 0u))
         {
             // What is missing in a shadow is as strong as if it were seen.
             uint seen = isShadow && receivers == 0 ? ReceiversFaced(tube, at, SideOfCell(cell)) : receivers;
             float strength = StrengthAt(tube, at, seen) * WeightAt(tube, at, seen);
             if (!isMet)
-                InterlockedMax(_Centres[centre + 1], asuint(strength));
+                InterlockedMax(_Centres[centre + (isImage ? 3 : 1)], asuint(strength));
             if (isSlow)
                 InterlockedMax(_Centres[centre + 2], asuint(strength));
         }

@@ -16,9 +16,6 @@ uint2 _SilhouetteRange;                    // of this dispatch: first piece and 
 // Distance of a ray from the edge that it passes, as a fraction of _SceneCentreExtent.w: 30 times the rounding of float32.
 static const float BESIDE_SILHOUETTE = 2.0e-6;
 
-// Base cells along a piece of a border at most: seen at a flatter angle it is not listed.
-static const float MAX_SHADOW_CELLS = 32.0;
-
 struct Silhouette
 {
     float3 Start, End;
@@ -48,24 +45,13 @@ float3 CastOn(float3 position, float3 onPlane, float3 normal, uint receiver)
     return position - direction * (dot(position - onPlane, normal) / max(dot(direction, normal), MIN_COSINE));
 }
 
-// Lists the border in the base cells that it runs through. The shadow lies to its left.
+// Lists the border in the base cells that it runs through.
 void ListShadow(Silhouette edge, float3 onPlane, float3 normal, uint receiver)
 {
     float2 start = PlaceOnGrid(CastOn(edge.Start, onPlane, normal, receiver)),
         end = PlaceOnGrid(CastOn(edge.End, onPlane, normal, receiver)),
         outside = PlaceOnGrid(CastOn(edge.Start + length(edge.End - edge.Start) * edge.Outward, onPlane, normal, receiver));
-    bool isLeft = Cross2(end - start, outside - start) < 0.0;
-    CellWalk walk = BeginWalk(start, end);
-    // Compilers may take a comparison with NaN for either.
-    if (IsNaN(start.x + start.y + end.x + end.y) || walk.Last - walk.First >= MAX_SHADOW_CELLS)
-        return;
-    [loop]
-    for (float along = walk.First; along <= walk.Last; along += 1.0)
-    {
-        int2 others = CellsAcross(walk, along);
-        for (int other = others.x; other <= others.y; other++)
-            MarkShadow(isLeft ? start : end, isLeft ? end : start, CellOf(walk, along, other));
-    }
+    ListLine(start, end, 2.0 * start - outside, SHADOW_LINE);
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]

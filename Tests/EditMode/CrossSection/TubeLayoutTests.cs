@@ -132,7 +132,8 @@ namespace Glint.Tests
                     ["TUBE_EXTRAS"] = TubeKernels.TubeExtras,
                     ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks, ["SIDE_ROWS"] = TubeKernels.SideRows,
-                    ["SHADOW_LINKS"] = TubeKernels.ShadowLinks, ["SILHOUETTE_ROWS"] = TubeKernels.SilhouetteRows
+                    ["LINE_LINKS"] = TubeKernels.LineLinks, ["SILHOUETTE_ROWS"] = TubeKernels.SilhouetteRows,
+                    ["MIRROR_ROWS"] = TubeKernels.MirrorRows, ["OUTLINE_ROWS"] = TubeKernels.OutlineRows
                 }));
             Assert.That(s_ofTheDevice, Is.SubsetOf(constants.Keys));
         }
@@ -204,6 +205,7 @@ namespace Glint.Tests
 
         static readonly string[] s_ofTheDevice = { "DEEP_CELL", "BENT_CELL", "KINKED_CELL", "EDGE_CELL", "CHANGES", "TUBE_CELLS", "TUBE_BORDERS", "TUBE_WHOLES",
             "TUBE_NEXT_CELLS", "TUBE_CENTRES", "TUBE_OUTLINES", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_SIDES", "MAX_LISTED",
-            "TUBE_POINTS", "MAX_SHADOWS", "SHADOW_RAY", "LIT_RAY" };
+            "TUBE_POINTS", "MAX_SHADOWS", "MAX_IMAGES", "SHADOW_LINE", "IMAGE_LINE",
+            "SHADOW_RAY", "LIT_RAY", "IMAGE_RAY" };
     }
 }

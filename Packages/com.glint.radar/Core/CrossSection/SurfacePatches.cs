@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using Unity.Mathematics;
 
 namespace Glint.Core
@@ -86,6 +87,10 @@ namespace Glint.Core
 
         /// <summary>Whether two triangles of one patch meet at a side, with no crease between them.</summary>
         public bool IsSmooth(int side) => _smoothAcross[side] != WeldedMesh.None;
+
+        /// <summary>The sides of triangles on the outlines of patches: no triangle of the same patch is at the other side.</summary>
+        public IEnumerable<int> Outlines() => Enumerable.Range(0, Welded.Corners.Length)
+            .Where(side => Welded.EdgeOf[side] != WeldedMesh.None && !IsSmooth(side));
 
         /// <summary>The surface of each triangle.</summary>
         internal static int[] SurfacesOf(TriangleMesh mesh, MeshRange[] ranges)

@@ -293,6 +293,8 @@ namespace Glint
             if (!pose.IsMonostatic)
                 _surfaces.Silhouettes.Set(pose.Scene, _surfaces.Patches.OfInstances, _scene.Centre,
                     SilhouetteCells * SideOf(pose));
+            if (TubeKernels.HasImages(pose))
+                _surfaces.Mirrors.Set(pose.Scene, _surfaces.Patches.OfInstances, _scene.Centre, SideOf(pose));
             if (pose.HasEdges)
                 _edges.Set(pose.Scene, _surfaces.Patches.OfInstances, _surfaces.Patches.Parts, _scene.Centre,
                     TubeGrid.EdgePieceFor(pose), ahead);

@@ -43,8 +43,12 @@ namespace Glint
         /// <summary>What casts the shadows of receivers; none where only the radar receives.</summary>
         public SilhouetteBuffers Silhouettes { get; } = new SilhouetteBuffers();
 
-        /// <summary>Corners, outlines or triangles, whichever are most: threads a pose that marks them.</summary>
-        public int MarkedCount => Math.Max(SphereCount, Math.Max(SideCount, VertexCount));
+        /// <summary>What the radar may see in mirrors; none where only first bounces count.</summary>
+        public MirrorBuffers Mirrors { get; } = new MirrorBuffers();
+
+        /// <summary>Corners, outlines, their pieces or triangles, whichever are most: threads a pose that marks them.</summary>
+        public int MarkedCount => Math.Max(Math.Max(SphereCount, Mirrors.PieceCount),
+            Math.Max(SideCount, VertexCount));
 
         /// <summary>Uploads what has changed.</summary>
         /// <param name="frequency">Of the reflection coefficients, hertz.</param>
@@ -67,6 +71,7 @@ namespace Glint
             Sides.Dispose();
             Spheres.Dispose();
             Silhouettes.Dispose();
+            Mirrors.Dispose();
             Motions.Dispose();
             Reflections.Dispose();
             _scene = null;
@@ -101,16 +106,13 @@ namespace Glint
             }).ToArray());
         }
 
-        // Adds the sides at which triangles of a patch meet none of the same patch.
         void AddSides(in MeshInstance instance, SurfacePatches patches, double3 centre, List<float4> sides)
         {
             var welded = patches.Welded;
             var toWorld = instance.ToWorld;
             var placed = Array.ConvertAll(welded.Mesh.Vertices, vertex => toWorld.Point(vertex));
-            for (int side = 0; side < welded.Corners.Length; side++)
+            foreach (int side in patches.Outlines())
             {
-                if (welded.EdgeOf[side] == WeldedMesh.None || patches.IsSmooth(side))
-                    continue;
                 int end = WeldedMesh.EndOf(side);
                 foreach (int corner in new[] { side, end, WeldedMesh.Opposite(side) })
                     sides.Add(new float4((float3)(placed[welded.Corners[corner]] - centre), 0));

@@ -2,8 +2,8 @@ using UnityEngine;
 
 namespace Glint
 {
-    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl, RevealedCells.hlsl, TubeShadows.hlsl, TubeFringes.hlsl,
-    // TubePoints.hlsl and TubeSums.hlsl.
+    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl, RevealedCells.hlsl, TubeShadows.hlsl, TubeImages.hlsl,
+    // TubeFringes.hlsl, TubePoints.hlsl and TubeSums.hlsl.
     static class TubeIDs
     {
         public static readonly int _Facets = Shader.PropertyToID("_Facets");
@@ -52,9 +52,13 @@ namespace Glint
         public static readonly int _Sides = Shader.PropertyToID("_Sides");
         public static readonly int _SideCount = Shader.PropertyToID("_SideCount");
         public static readonly int _LinkCapacity = Shader.PropertyToID("_LinkCapacity");
-        public static readonly int _ShadowCapacity = Shader.PropertyToID("_ShadowCapacity");
+        public static readonly int _LineCapacity = Shader.PropertyToID("_LineCapacity");
         public static readonly int _Silhouettes = Shader.PropertyToID("_Silhouettes");
         public static readonly int _SilhouetteRange = Shader.PropertyToID("_SilhouetteRange");
+        public static readonly int _Mirrors = Shader.PropertyToID("_Mirrors");
+        public static readonly int _MirrorCount = Shader.PropertyToID("_MirrorCount");
+        public static readonly int _OutlinePieces = Shader.PropertyToID("_OutlinePieces");
+        public static readonly int _OutlinePieceCount = Shader.PropertyToID("_OutlinePieceCount");
         public static readonly int _Marks = Shader.PropertyToID("_Marks");
         public static readonly int _WrittenMarks = Shader.PropertyToID("_WrittenMarks");
         public static readonly int _Links = Shader.PropertyToID("_Links");

@@ -37,11 +37,15 @@ namespace Glint
         /// <summary>Rows of a side of a triangle on the outline of its patch: SIDE_ROWS.</summary>
         public const int SideRows = 3;
 
-        /// <summary>Elements of the links of a border of a shadow, and rows of a silhouette: SHADOW_LINKS, SILHOUETTE_ROWS.</summary>
-        public const int ShadowLinks = 2, SilhouetteRows = 4;
+        /// <summary>Elements of the links of a line on the grid, and rows of a silhouette: LINE_LINKS, SILHOUETTE_ROWS.</summary>
+        public const int LineLinks = 2, SilhouetteRows = 4;
 
-        // Elements of links of the shadows of a pose at most: 16 MB. Links for each piece of a silhouette: few cast a shadow.
-        const int MaxShadowLinks = 1 << 20, LinksASilhouette = 8;
+        /// <summary>Rows of a flat patch and of a piece of an outline: MIRROR_ROWS, OUTLINE_ROWS.</summary>
+        public const int MirrorRows = 3, OutlineRows = 3;
+
+        // Elements of links of the lines of a pose at most: 16 MB. Lines for each piece of a silhouette or of an outline: few cast a
+        // shadow or are mirrored.
+        const int MaxLineLinks = 1 << 20, LinksASilhouette = 8, LinksAnOutline = 8;
 
         // Of the kernel of shadows, a thread a piece, receiver and pose.
         const int ShadowThreads = 1 << 22;
@@ -63,7 +67,7 @@ namespace Glint
         TubePose[] _slices;
         readonly DeviceBuffer<float4> _blocks = new DeviceBuffer<float4>("blocks of frequencies");
         readonly RevealedBits _revealed;
-        readonly int _clearMarks, _mark, _outlines, _cover, _shadows, _cells, _fringes, _points, _parts, _bands;
+        readonly int _clearMarks, _mark, _outlines, _cover, _shadows, _images, _cells, _fringes, _points, _parts, _bands;
         bool _hasBands;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
@@ -78,6 +82,7 @@ namespace Glint
             _outlines = shader.FindKernel("MarkOutlines");
             _cover = shader.FindKernel("MarkCover");
             _shadows = shader.FindKernel("TubeShadows");
+            _images = shader.FindKernel("TubeImages");
             _revealed = new RevealedBits(shader);
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
@@ -109,9 +114,10 @@ namespace Glint
             _slices = jobs.Select(job => new TubePose(job.Pose, job.Grid, BlocksOf(job.Grid))).ToArray();
             _poses.Upload(_slices);
             _receivers.Upload(jobs.SelectMany(job => ReceiverRows(job.Pose, rays.SceneCentre)).ToArray());
-            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points, _shadows }))
+            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points, _shadows, _images }))
                 _shader.SetBuffer(kernel, TubeIDs._Receivers, _receivers.Buffer);
-            foreach (int kernel in _rounds.Kernels.Concat(new[] { _fringes, _points, _mark, _outlines, _cover, _shadows }))
+            foreach (int kernel in _rounds.Kernels.Concat(
+                new[] { _fringes, _points, _mark, _outlines, _cover, _shadows, _images }))
                 _shader.SetBuffer(kernel, TubeIDs._Poses, _poses.Buffer);
             _shader.SetInt(TubeIDs._PoseCount, jobs.Count);
             SetReceivers(_shader, pose);
@@ -211,6 +217,7 @@ namespace Glint
             foreach (int kernel in _rounds.Kernels)
                 _shader.SetBuffer(kernel, TubeIDs._TubeParts, tubeParts.Buffer);
             _shader.SetBuffer(_shadows, ShaderIDs._Sums, lists.Output.Buffer);
+            _shader.SetBuffer(_images, ShaderIDs._Sums, lists.Output.Buffer);
             foreach (int kernel in new[] { _parts, _bands })
                 _shader.SetBuffer(kernel, TubeIDs._WaveNumbers, lists.WaveNumbers.Buffer);
         }
@@ -223,9 +230,13 @@ namespace Glint
         public static int LinksOf(TubeGrid grid, SurfaceBuffers surfaces) => 1 + VertexLinks * surfaces.VertexCount
             + (int)Math.Min(MaxSideLinks, 4.0 * surfaces.SideCount + 2 * surfaces.LengthOfSides / grid.Side);
 
-        /// <summary>Of them, elements of shadows at most.</summary>
-        public static int ShadowLinksOf(CrossSectionPose pose, SurfaceBuffers surfaces) => pose.IsMonostatic ? 0
-            : (int)Math.Min(MaxShadowLinks, (long)LinksASilhouette * ShadowLinks * surfaces.Silhouettes.Count * pose.Receivers.Length);
+        /// <summary>Of them, elements of shadows and images at most.</summary>
+        public static int LineLinksOf(CrossSectionPose pose, SurfaceBuffers surfaces) => (int)Math.Min(MaxLineLinks,
+            LineLinks * ((pose.IsMonostatic ? 0 : (long)LinksASilhouette * surfaces.Silhouettes.Count * pose.Receivers.Length)
+                + (HasImages(pose) ? LinksAnOutline * surfaces.Mirrors.PieceCount : 0)));
+
+        /// <summary>Whether second bounces count.</summary>
+        public static bool HasImages(CrossSectionPose pose) => pose.MaxBounces > 1 && pose.OnlyBounce != 1;
 
         static int2 BlocksOf(TubeGrid grid) => (grid.Cells + CoverSide - 1) / CoverSide;
 
@@ -234,8 +245,8 @@ namespace Glint
         /// </summary>
         /// <param name="markWords">Of the marks of a pose.</param>
         /// <param name="linkCapacity">Of a pose.</param>
-        /// <param name="shadowCapacity">Of these links, those of shadows.</param>
-        public void Mark(int poses, int markWords, int linkCapacity, int shadowCapacity, SurfaceBuffers surfaces,
+        /// <param name="lineCapacity">Of these links, those of shadows and images.</param>
+        public void Mark(int poses, int markWords, int linkCapacity, int lineCapacity, SurfaceBuffers surfaces,
             DeviceBuffer<uint> marks, DeviceBuffer<uint4> links)
         {
             _shader.SetInt(TubeIDs._SphereCount, surfaces.SphereCount);
@@ -243,12 +254,12 @@ namespace Glint
             _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
             _shader.SetInt(TubeIDs._SideCount, surfaces.SideCount);
             _shader.SetInt(TubeIDs._LinkCapacity, linkCapacity);
-            _shader.SetInt(TubeIDs._ShadowCapacity, shadowCapacity);
-            foreach (int kernel in new[] { _clearMarks, _mark, _outlines, _cover, _shadows })
+            _shader.SetInt(TubeIDs._LineCapacity, lineCapacity);
+            foreach (int kernel in new[] { _clearMarks, _mark, _outlines, _cover, _shadows, _images })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenMarks, marks.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
-            foreach (int kernel in new[] { _mark, _outlines, _shadows })
+            foreach (int kernel in new[] { _mark, _outlines, _shadows, _images })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenLinks, links.Buffer);
             foreach (int kernel in new[] { _outlines, _cells, _rays.Outlines })
                 _shader.SetBuffer(kernel, TubeIDs._Sides, surfaces.Sides.Buffer);
@@ -277,6 +288,20 @@ namespace Glint
                 _shader.SetInts(TubeIDs._SilhouetteRange, first, count);
                 _shader.DispatchThreads(_shadows, (long)count * poses);
             }
+        }
+
+        /// <summary>
+        /// Lists the outlines of patches that the radar sees in mirrors, in the cells that they run through. Counts its rays.
+        /// </summary>
+        public void MarkImages(int poses, DeviceScene scene, MirrorBuffers mirrors)
+        {
+            _shader.SetBvhs(_images, scene);
+            _shader.SetBuffer(_images, TubeIDs._OutlinePieces, mirrors.Pieces.Buffer);
+            _shader.SetBuffer(_images, TubeIDs._Mirrors, mirrors.Mirrors.Buffer);
+            _shader.SetInt(TubeIDs._OutlinePieceCount, mirrors.PieceCount);
+            _shader.SetInt(TubeIDs._MirrorCount, mirrors.MirrorCount);
+            if (mirrors.MirrorCount > 0)
+                _shader.DispatchThreads(_images, (long)poses * mirrors.PieceCount);
         }
 
         /// <summary>Makes room for what attempts reveal of poses.</summary>

@@ -71,7 +71,7 @@ namespace Glint
             && (long)poses * surfaces.MarkedCount <= KernelCalls.MaxThreads;
 
         /// <summary>Sets the poses, which are alike, and what is summed: S.</summary>
-        /// <param name="add">Receives the output of the rays that find shadows of receivers.</param>
+        /// <param name="add">Receives the output of the rays that find shadows of receivers, and images of outlines.</param>
         /// <inheritdoc cref="Bind"/>
         public void SumAll(TubeJob[] jobs, DeviceScene scene, SurfaceBuffers surfaces, Action<uint[]> add)
         {
@@ -83,7 +83,7 @@ namespace Glint
                 _kernels.SumAll();
             };
             _bind();
-            if (!jobs[0].Pose.IsMonostatic)
+            if (!jobs[0].Pose.IsMonostatic || TubeKernels.HasImages(jobs[0].Pose))
             {
                 _lists.Output.ReadBack(_read, _read.Length);
                 add(_read);
@@ -123,15 +123,17 @@ namespace Glint
             _tubeExtras.Reserve(pose.IsFar && !pose.IsMoving ? 1 : (long)TubeKernels.ExtraRowsOf(pose) * Capacity);
             _kernels.SetLists(_lists, _tubeParts, _tubeExtras);
             int words = jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
-            int shadows = TubeKernels.ShadowLinksOf(pose, surfaces);
-            int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces) + shadows;
+            int lines = TubeKernels.LineLinksOf(pose, surfaces);
+            int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces) + lines;
             _marks.Reserve((long)jobs.Length * words);
             _links.Reserve((long)jobs.Length * links);
             _kernels.BindRevealed(jobs.Length);
-            _kernels.Mark(jobs.Length, words, links, shadows, surfaces, _marks, _links);
+            _kernels.Mark(jobs.Length, words, links, lines, surfaces, _marks, _links);
+            _kernels.Clear(_read.Length);
+            if (TubeKernels.HasImages(pose))
+                _kernels.MarkImages(jobs.Length, scene, surfaces.Mirrors);
             if (!pose.IsMonostatic)
             {
-                _kernels.Clear(_read.Length);
                 _kernels.MarkShadows(jobs.Length * pose.Receivers.Length, scene, surfaces.Silhouettes);
             }
         }
