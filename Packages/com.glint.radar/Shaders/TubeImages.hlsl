@@ -51,14 +51,14 @@ float3 ImageOf(float3 position, Mirror mirror)
     return position - 2.0 * dot(position - mirror.Centre, mirror.Normal) * mirror.Normal;
 }
 
-// Whether the radar may see a place in a mirror.
+// Whether the radar may see a position in a mirror: on the way to its image it meets the rectangle.
 bool MayMirror(Mirror mirror, float3 position)
 {
     float3 image = ImageOf(position, mirror), toRadar = ReceiverFrom(_ReceiverCount, image).Direction;
     float facing = dot(toRadar, mirror.Normal), before = dot(position - mirror.Centre, mirror.Normal);
     if (before * facing <= 0.0 || abs(facing) < MIN_COSINE)
         return false;
-    float3 aside = image + toRadar * (dot(position - mirror.Centre, mirror.Normal) / facing) - mirror.Centre;
+    float3 aside = image + toRadar * (before / facing) - mirror.Centre;
     float2 place = float2(dot(aside, mirror.Along), dot(aside, cross(mirror.Normal, mirror.Along)));
     return all(abs(place) <= mirror.HalfSize);
 }
@@ -94,7 +94,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     float3 start = _OutlinePieces[OUTLINE_ROWS * piece].xyz, end = _OutlinePieces[OUTLINE_ROWS * piece + 1].xyz,
         third = _OutlinePieces[OUTLINE_ROWS * piece + 2].xyz, middle = 0.5 * (start + end),
-        normal = normalize(cross(end - start, third - start));
+        across = cross(end - start, third - start), normal = across / max(length(across), 1.0e-20);
     [loop]
     for (uint index = 0; index < _MirrorCount && rays < MAX_IMAGE_RAYS; index++)
     {

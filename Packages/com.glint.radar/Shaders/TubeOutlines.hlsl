@@ -7,7 +7,8 @@
 
 // Follows the rays beside outlines, and notes how strongly answers what the rays through the corners of the cell have not met:
 // thin parts of patches, and strips that a second bounce meets at grazing incidence, beside the line where patches meet. Beside
-// the border of a shadow: what a receiver does not see, or nothing else. One thread a ray.
+// the border of a shadow: what a receiver does not see, or nothing else. Beside the image of an outline: what the second bounce
+// and later ones meet. One thread a ray.
 
 // Start and end of an outline, and a place on the side of the patch.
 struct Outline
@@ -83,7 +84,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         // A phase is slow where it thins nothing.
         bool isMet = IsMet(corners, tube),
             isSlow = !isShadow && Thinning(SlopeAlong(tube, receivers, along), SideOfCell(cell)) == 1.0;
-        // An image is one of what the second bounce meets.
+        // The first bounce of an image is that off the mirror.
         if ((!isMet || isSlow) && tube.Path.Bounces > (isImage ? 1u : 0u))
         {
             // What is missing in a shadow is as strong as if it were seen.

@@ -33,8 +33,8 @@ namespace Glint
             return Enumerable.Range(0, corners.Length / 3)
                 .Where(triangle => patches.PatchOf[triangle] != SurfacePatches.NoPatch && patches.IsFlat(patches.PatchOf[triangle]))
                 .GroupBy(triangle => patches.PatchOf[triangle])
-                .Select(triangles => About(triangles.SelectMany(triangle => corners.Skip(3 * triangle).Take(3))
-                    .Select(corner => placed[corner]).ToArray()));
+                .Select(triangles => About(triangles.SelectMany(triangle => Enumerable.Range(3 * triangle, 3))
+                    .Select(corner => placed[corners[corner]]).ToArray()));
         }
 
         // Corners: three of each triangle. Along the longest side.
