@@ -37,7 +37,7 @@ namespace Glint.Tests
             {
                 double3 r = plan[i].Radar.ToRadar;
                 var expected = -Complex.ImaginaryOne * s / Math.Sqrt(Math.PI) * Math.Abs(r.x)
-                    * Sinc(k * width * r.z) * Sinc(k * height * r.y)
+                    * TubeField.Sinc(k * width * r.z) * TubeField.Sinc(k * height * r.y)
                     * Complex.FromPolarCoordinates(1, 2 * k * math.dot(r, s_position));
                 Assert.That((looks[i].VV - expected).Magnitude, Is.LessThan(MaxPart * s / Math.Sqrt(Math.PI)), $"{i}");
                 Assert.That((looks[i].HH - expected).Magnitude, Is.LessThan(MaxPart * s / Math.Sqrt(Math.PI)), $"{i}");
@@ -120,8 +120,6 @@ namespace Glint.Tests
             double peak = expected.Max(pixel => pixel.Magnitude);
             Assert.That(ImageOf(groups).Zip(expected, (a, b) => (a - b).Magnitude).Max(), Is.LessThan(1e-3 * peak));
         }
-
-        static double Sinc(double x) => x == 0 ? 1 : Math.Sin(x) / x;
 
         // The looks of the first group.
         ScatteringMatrix[] Trace(CrossSectionPlan plan, MeshInstance instance)

@@ -20,8 +20,6 @@ namespace Glint.Tests
         // The radar is in the direction 0 of the plane across the upright edges of the box; the mirror illuminates it from Beta.
         const double BetaDegrees = 60, RollDegrees = 20, MirrorDistance = 3;
 
-        const int Box = 0, Mirror = 1;
-
         static readonly RadarAspect s_radar = RadarAspect.At(25, 0);
 
         [Test, Timeout(120000)]
@@ -57,7 +55,7 @@ namespace Glint.Tests
         // Unit vector in the plane.
         static double3 InPlane(double degrees) => Turned(s_radar.ToRadar, Turned(s_radar.Right, s_radar.Up, RollDegrees), degrees);
 
-        // From the radar and back to it, by the mirror's normal.
+        // Halfway between the radar and the box, as the mirror sees them.
         static double3 MirrorNormal => InPlane(BetaDegrees / 2 - 90);
 
         // Physical optics: of the faces of the box that the mirrored wave meets, towards the radar.
@@ -68,7 +66,7 @@ namespace Glint.Tests
             double3 Mirrored(double3 v) => v - 2 * math.dot(v, m) * m;
             double3 onto = Mirrored(sight), thin = InPlane(turn), wide = InPlane(turn + 90), w = k * (s_radar.ToRadar - onto);
             Complex Face(double3 centre, double3 side) => Height * math.length(side)
-                * Sinc(math.dot(w, side) / 2) * Sinc(Height * math.dot(w, Upright) / 2)
+                * TubeField.Sinc(math.dot(w, side) / 2) * TubeField.Sinc(Height * math.dot(w, Upright) / 2)
                 * Complex.Exp(new Complex(0, math.dot(w, centre) - 2 * k * math.dot(sight, m) * math.dot(from, m)));
             Complex thinFace = Face(Width / 2 * thin, thickness * wide), wideFace = Face(thickness / 2 * wide, Width * thin);
             Complex Received(double3 received, double3 sent) => new Complex(0, -k / Math.Sqrt(Math.PI))
@@ -82,22 +80,19 @@ namespace Glint.Tests
             };
         }
 
-        static double Sinc(double x) => Math.Abs(x) < 1e-9 ? 1 : Math.Sin(x) / x;
-
         static CrossSectionPose PoseOf(double turn, double thickness) => new CrossSectionPose
         {
-            Scene = new RadarScene(BoxAt(Box, 0, InPlane(turn), Width, thickness),
-                BoxAt(Mirror, MirrorDistance * InPlane(BetaDegrees) - 0.01 * MirrorNormal, MirrorNormal, 0.02, 1.6)),
+            Scene = new RadarScene(BoxAt(0, InPlane(turn), Width, thickness, Height),
+                BoxAt(MirrorDistance * InPlane(BetaDegrees) - 0.01 * MirrorNormal, MirrorNormal, 0.02, 1.6, 0.9)),
             Radar = s_radar, Receivers = new[] { s_radar }, Frequencies = new[] { TenGigahertz }, HasEdges = false,
             MaxBounces = 2, OnlyBounce = 2, ToleranceDb = ToleranceDb, Polarisations = Polarisation.All
         };
 
-        // A box with a face along a normal, upright in the plane.
-        static MeshInstance BoxAt(int number, double3 centre, double3 normal, double depth, double across) => new MeshInstance
+        // A box whose upright edges are across the plane, with a face along a normal.
+        static MeshInstance BoxAt(double3 centre, double3 normal, double depth, double across, double height) => new MeshInstance
         {
-            Mesh = CrossSectionTargets.Box(across, Height + 0.4 * number, depth),
-            ToWorld = new Affine { X = normal, Y = Upright, Z = math.cross(normal, Upright), Origin = centre },
-            Ranges = new[] { new MeshRange(0, number, 0) }
+            Mesh = CrossSectionTargets.Box(across, height, depth),
+            ToWorld = new Affine { X = normal, Y = Upright, Z = math.cross(normal, Upright), Origin = centre }
         };
     }
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -70,8 +71,8 @@ namespace Glint.Tests
             var receiver = RadarAspect.At(NormalAzimuth + azimuth, Elevation);
             double k = 2 * Math.PI / Signal.Wavelength(TenGigahertz);
             double3 turn = k * (radar.ToRadar + receiver.ToRadar), front = new double3(Distance, centre.y, centre.x);
-            Complex Face(double3 middle, double2 sides) => sides.x * sides.y * Sinc(turn.z * sides.x / 2)
-                * Sinc(turn.y * sides.y / 2) * Complex.Exp(new Complex(0, math.dot(turn, middle)));
+            Complex Face(double3 middle, double2 sides) => sides.x * sides.y * TubeField.Sinc(turn.z * sides.x / 2)
+                * TubeField.Sinc(turn.y * sides.y / 2) * Complex.Exp(new Complex(0, math.dot(turn, middle)));
             Complex Front(double3 middle) => isHole ? Face(middle, Screen) - Face(middle, size) : Face(middle, size);
             double3 Shadow(double3 towards) => front - towards * (Distance / towards.x);
             var integral = Face(0, s_plate) + Front(front) - Front(Shadow(radar.ToRadar)) - Front(Shadow(receiver.ToRadar));
@@ -84,8 +85,6 @@ namespace Glint.Tests
                 VH = Received(receiver.Up, radar.Right), HH = Received(receiver.Right, radar.Right)
             };
         }
-
-        static double Sinc(double x) => x == 0 ? 1 : Math.Sin(x) / x;
 
         static CrossSectionPose PoseOf(double azimuth, bool isHole, double2 centre, double2 size) => new CrossSectionPose
         {
