@@ -93,6 +93,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint first = position.Number * _MaxBounces;
     TubePath tube = BeginTube(position.OnGrid);
     SurfacePoint at;
+    bool isTurning = false;
     [loop]
     while (AdvanceTube(tube, at))
     {
@@ -101,7 +102,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         Corner corner;
         corner.Signature = tube.Signature;
         // Of what is hidden from all receivers a part between the corners may be seen, and as strong.
-        uint seen = receivers != 0 ? receivers : ReceiversFaced(tube, at, position.Side);
+        uint seen = receivers != 0 ? receivers : ReceiversFaced(tube, at, position.Side, isTurning);
         corner.Traits = (uint)ceil(255.0 * CrossPartAt(tube, at, seen)) << 8 | FacetsOf(tube) << 16;
         corner.Strength = StrengthAt(tube, at, seen);
         corner.Changes = HalfOf(SteepnessAt(tube, seen))
@@ -110,6 +111,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.AlongU = float4(tube.PlaceU, tube.LengthSlope.x);
         corner.AlongV = float4(tube.PlaceV, tube.LengthSlope.y);
         _Corners[first + bounces++] = corner;
+        isTurning = at.IsCurved;
         if (!ScatterTube(tube, at))
             break;
     }

@@ -21,15 +21,17 @@ bool MayFace(SurfacePoint at, float3 direction, float step)
     return dot(at.Normal, direction) + step * (abs(dot(at.NormalU, direction)) + abs(dot(at.NormalV, direction))) > 0.0;
 }
 
-// Who would receive what is painted within a step on the grid if nothing were in between.
-uint ReceiversFaced(TubePath tube, SurfacePoint at, float step)
+// Who would receive what is painted within a step on the grid if nothing were in between. isTurning: a curved surface has
+// reflected the ray; then others of the faces that it meets within a step may look at any receiver.
+uint ReceiversFaced(TubePath tube, SurfacePoint at, float step, bool isTurning)
 {
     uint receivers = 0;
     [loop]
     for (uint index = 0; index < _ReceiverCount; index++)
     {
         Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
-        if (RadiatesInSight(tube, at, receiver) || IsSummed(tube, at, receiver) && MayFace(at, receiver.Direction, step))
+        if (RadiatesInSight(tube, at, receiver)
+            || IsSummed(tube, at, receiver) && (isTurning || MayFace(at, receiver.Direction, step)))
             receivers |= 1u << index;
     }
     return receivers;

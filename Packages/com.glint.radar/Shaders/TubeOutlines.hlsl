@@ -88,7 +88,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if ((!isMet || isSlow) && tube.Path.Bounces > (isImage ? 1u : 0u))
         {
             // What is missing in a shadow is as strong as if it were seen.
-            uint seen = isShadow && receivers == 0 ? ReceiversFaced(tube, at, SideOfCell(cell)) : receivers;
+            uint seen = isShadow && receivers == 0 ? ReceiversFaced(tube, at, SideOfCell(cell), false) : receivers;
             float strength = StrengthAt(tube, at, seen) * WeightAt(tube, at, seen);
             if (!isMet)
                 InterlockedMax(_Centres[centre + (isImage ? 3 : 1)], asuint(strength));

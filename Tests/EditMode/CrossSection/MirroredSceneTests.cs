@@ -9,13 +9,14 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>
-    /// A scene and its mirror image have the same VV and HH. Their grids are not mirrored: what a cell misses differs.
+    /// What mirrors show. A scene and its mirror image have the same VV and HH; their grids are not mirrored: what a cell misses
+    /// differs.
     /// </summary>
     public sealed class MirroredSceneTests : CrossSectionFixture
     {
         const double Radius = 0.08, Turn = 20;
 
-        const int Rings = 32, Sides = 64;
+        const int Rings = 32, Sides = 64, PointsAcross = 48;
 
         static readonly double3 s_sphere = new double3(0.03, 0.01, -0.3);
 
@@ -32,6 +33,34 @@ namespace Glint.Tests
                 ofImage = Tracer.Trace(PoseOf(mirrored, -azimuth)).S[0, 0];
             AssertAlike(s.VV, ofImage.VV);
             AssertAlike(s.HH, ofImage.HH);
+        }
+
+        // A cylinder mirrors a box, whose broad face looks away from the radar: the corners of cells met that face or nothing, and
+        // the narrow one beside it, which answers, was missed as a whole, with an error of 0. Uniform points differ by 6.6 %.
+        [Test, Timeout(60000)]
+        public void Trace_OfABoxThatACylinderMirrors_IsThatOfPoints()
+        {
+            var pose = PoseOf(BoxBesideCylinder(), 3, 0);
+            (pose.OnlyBounce, pose.Polarisations) = (2, Polarisation.All);
+            ScatteringMatrix s = Tracer.Trace(pose).S[0, 0], ofPoints = Tracer.TracePoints(pose, PointsAcross, 0.5).S[0, 0];
+            double largest = Polarisation.All.Max(polarisation => polarisation.Of(ofPoints).Magnitude);
+            foreach (var polarisation in Polarisation.All)
+                Assert.That((polarisation.Of(s) - polarisation.Of(ofPoints)).Magnitude, Is.LessThan(0.1 * largest));
+        }
+
+        // Both are rolled about the sight, so that HV is not 0.
+        static TriangleMesh BoxBesideCylinder()
+        {
+            TriangleMesh box = CrossSectionTargets.Box(0.4, 0.5, 0.03),
+                cylinder = CrossSectionTargets.Cylinder(0.15, 0.6, 48, true);
+            double3 Towards(double degrees) =>
+                new double3(Math.Sin(math.radians(degrees)), 0, -Math.Cos(math.radians(degrees)));
+            double3 centre = 1.2 * Towards(50), normal = -Towards(40), up = new double3(0, 1, 0), along = math.cross(normal, up);
+            double cos = Math.Cos(math.radians(Turn)), sin = Math.Sin(math.radians(Turn));
+            float3 Rolled(double3 at) => (float3)new double3(cos * at.x - sin * at.y, sin * at.x + cos * at.y, at.z);
+            var ofBox = box.Vertices.Select(at => Rolled(centre + at.x * normal + at.y * up + at.z * along));
+            return new TriangleMesh(ofBox.Concat(cylinder.Vertices.Select(at => Rolled(at))).ToArray(),
+                box.Indices.Concat(cylinder.Indices.Select(index => index + box.Vertices.Length)).ToArray());
         }
 
         static void AssertAlike(Complex s, Complex ofImage) => Assert.That((s - ofImage).Magnitude,
@@ -60,9 +89,9 @@ namespace Glint.Tests
             return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }
 
-        static CrossSectionPose PoseOf(TriangleMesh mesh, double azimuth)
+        static CrossSectionPose PoseOf(TriangleMesh mesh, double azimuth, double elevation = 12)
         {
-            var radar = RadarAspect.At(azimuth, 12);
+            var radar = RadarAspect.At(azimuth, elevation);
             return new CrossSectionPose
             {
                 Scene = new RadarScene(mesh), Radar = radar, Receivers = new[] { radar }, Frequencies = new[] { 1e10 },
