@@ -26,11 +26,11 @@ namespace Glint.Tests
         [Test, Timeout(60000)]
         public void Trace_OfASphereBeforeASlab_IsThatOfItsMirrorImage([Values(28, 31, 34, 37)] double azimuth)
         {
-            var scene = SphereBeforeSlab();
+            var mesh = SphereBeforeSlab();
             var mirrored = new TriangleMesh(
-                scene.Vertices.Select(vertex => vertex * new float3(-1, 1, 1)).ToArray(), scene.Indices.Reverse().ToArray());
-            ScatteringMatrix s = Tracer.Trace(PoseOf(scene, azimuth)).S[0, 0],
-                ofImage = Tracer.Trace(PoseOf(mirrored, -azimuth)).S[0, 0];
+                mesh.Vertices.Select(vertex => vertex * new float3(-1, 1, 1)).ToArray(), mesh.Indices.Reverse().ToArray());
+            ScatteringMatrix s = Tracer.Trace(PoseOf(new RadarScene(mesh), azimuth)).S[0, 0],
+                ofImage = Tracer.Trace(PoseOf(new RadarScene(mirrored), -azimuth)).S[0, 0];
             AssertAlike(s.VV, ofImage.VV);
             AssertAlike(s.HH, ofImage.HH);
         }
@@ -48,20 +48,21 @@ namespace Glint.Tests
                 Assert.That((polarisation.Of(s) - polarisation.Of(ofPoints)).Magnitude, Is.LessThan(0.1 * largest));
         }
 
-        // Both are rolled about the sight, so that HV is not 0.
-        static TriangleMesh BoxBesideCylinder()
+        // Both are rolled about the sight, so that HV is not 0. From the cylinder the box is 50 degrees beside the radar; its broad
+        // face is turned by 10 degrees from the cylinder.
+        static RadarScene BoxBesideCylinder()
         {
-            TriangleMesh box = CrossSectionTargets.Box(0.4, 0.5, 0.03),
-                cylinder = CrossSectionTargets.Cylinder(0.15, 0.6, 48, true);
-            double3 Towards(double degrees) =>
-                new double3(Math.Sin(math.radians(degrees)), 0, -Math.Cos(math.radians(degrees)));
-            double3 centre = 1.2 * Towards(50), normal = -Towards(40), up = new double3(0, 1, 0), along = math.cross(normal, up);
             double cos = Math.Cos(math.radians(Turn)), sin = Math.Sin(math.radians(Turn));
-            float3 Rolled(double3 at) => (float3)new double3(cos * at.x - sin * at.y, sin * at.x + cos * at.y, at.z);
-            var ofBox = box.Vertices.Select(at => Rolled(centre + at.x * normal + at.y * up + at.z * along));
-            return new TriangleMesh(ofBox.Concat(cylinder.Vertices.Select(at => Rolled(at))).ToArray(),
-                box.Indices.Concat(cylinder.Indices.Select(index => index + box.Vertices.Length)).ToArray());
+            double3 up = new double3(-sin, cos, 0), right = new double3(cos, sin, 0), away = new double3(0, 0, 1);
+            double3 Towards(double degrees) => Math.Sin(math.radians(degrees)) * right - Math.Cos(math.radians(degrees)) * away;
+            return new RadarScene(InstanceOf(CrossSectionTargets.Box(0.4, 0.5, 0.03), 1.2 * Towards(50), -Towards(40), up),
+                InstanceOf(CrossSectionTargets.Cylinder(0.15, 0.6, 48, true), 0, right, up));
         }
+
+        static MeshInstance InstanceOf(TriangleMesh mesh, double3 origin, double3 x, double3 y) => new MeshInstance
+        {
+            Mesh = mesh, ToWorld = new Affine { X = x, Y = y, Z = math.cross(x, y), Origin = origin }
+        };
 
         static void AssertAlike(Complex s, Complex ofImage) => Assert.That((s - ofImage).Magnitude,
             Is.LessThan(CrossSectionAccuracy.AllowedBy(CrossSectionPose.DefaultToleranceDb)
@@ -89,12 +90,12 @@ namespace Glint.Tests
             return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }
 
-        static CrossSectionPose PoseOf(TriangleMesh mesh, double azimuth, double elevation = 12)
+        static CrossSectionPose PoseOf(RadarScene scene, double azimuth, double elevation = 12)
         {
             var radar = RadarAspect.At(azimuth, elevation);
             return new CrossSectionPose
             {
-                Scene = new RadarScene(mesh), Radar = radar, Receivers = new[] { radar }, Frequencies = new[] { 1e10 },
+                Scene = scene, Radar = radar, Receivers = new[] { radar }, Frequencies = new[] { 1e10 },
                 HasEdges = false, MaxBounces = 2
             };
         }
