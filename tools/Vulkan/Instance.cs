@@ -28,6 +28,7 @@ sealed unsafe class Instance : IDisposable
         var application = new ApplicationInfo { SType = StructureType.ApplicationInfo, ApiVersion = Vulkan12 };
         var info = new InstanceCreateInfo { SType = StructureType.InstanceCreateInfo, Application = &application };
         int result;
+        SoftwareVectors.Widen();
         try
         {
             result = Native.vkCreateInstance(&info, null, out _handle);

@@ -6,10 +6,11 @@
 
 // Input: the scene.
 #ifdef GLINT_INLINE_INSTANCES
-// Up to four instances, traversed in a loop.
+// Up to four instances, traversed in a loop. Their number is the first of all constants: Mesa 22.3's lavapipe compiles a kernel
+// anew for each value of the first one.
+uint _InstanceCount;
 float4 _InlineToLocal[16];                  // per instance: three rows, then InstanceRecord.Stretch and Rounding
 uint4 _InlineRows[4];                       // FirstRow, FirstRecordRow, FirstIdentityRow and Instance of each
-uint _InstanceCount;
 #else
 StructuredBuffer<uint4> _InstanceBvh;       // binary BVH over the instances
 StructuredBuffer<InstanceRecord> _Instances;
