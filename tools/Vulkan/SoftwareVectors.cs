@@ -20,7 +20,7 @@ static partial class SoftwareVectors
     {
         // .NET sets variables for itself and its child processes only.
         if (OperatingSystem.IsLinux() && IsGain(Environment.GetEnvironmentVariable, Vector512.IsHardwareAccelerated))
-            _ = SetVariable(Variable, WidestBits, 0);
+            _ = SetVariable(Variable, WidestBits, 1);
     }
 
     /// <param name="isFast">Whether vectors of 512 bits run at full speed.</param>
