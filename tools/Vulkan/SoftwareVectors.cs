@@ -19,13 +19,13 @@ static partial class SoftwareVectors
     internal static void Widen()
     {
         // .NET sets variables for itself and its child processes only.
-        if (OperatingSystem.IsLinux() && IsGain(Environment.GetEnvironmentVariable, Vector512.IsHardwareAccelerated))
+        if (OperatingSystem.IsLinux() && IsGain(Environment.GetEnvironmentVariable(Variable), Vector512.IsHardwareAccelerated))
             _ = SetVariable(Variable, WidestBits, 1);
     }
 
+    /// <param name="set">Value of the variable; null or empty: none.</param>
     /// <param name="isFast">Whether vectors of 512 bits run at full speed.</param>
-    internal static bool IsGain(Func<string, string> environment, bool isFast) =>
-        isFast && string.IsNullOrEmpty(environment(Variable));
+    internal static bool IsGain(string set, bool isFast) => isFast && string.IsNullOrEmpty(set);
 
     [LibraryImport("libc", EntryPoint = "setenv", StringMarshalling = StringMarshalling.Utf8)]
     private static partial int SetVariable(string name, string value, int overwrite);

@@ -37,18 +37,15 @@ public sealed class BrokenSweepTests
     {
         Sweep("whole");
         var start = new ProcessStartInfo("bash", ["-c", "trap '' XFSZ; ulimit -f 8; exec \"$@\"", "bash", "dotnet",
-            Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), "sweep", Corner, .. s_sweep, "--out", At("swept")])
+            GlintProcess.Program, "sweep", Corner, .. s_sweep, "--out", At("swept")])
         {
             RedirectStandardOutput = true, RedirectStandardError = true
         };
         // Otherwise the runtime maps its code from a file of its own, which the limit would affect.
         start.Environment["DOTNET_EnableWriteXorExecute"] = "0";
-        using var process = Process.Start(start);
-        var output = process.StandardOutput.ReadToEndAsync();
-        string error = process.StandardError.ReadToEnd();
-        process.WaitForExit();
+        var (code, output, error) = GlintProcess.Run(start);
 
-        Assert.That(process.ExitCode, Is.EqualTo(1), error + output.Result);
+        Assert.That(code, Is.EqualTo(1), error + output);
         Assert.That(error,
             Does.Contain($"glint: {At("swept")}/results.csv: cannot be written (").And.Contain("free the disk"));
         AssertKeptAndResumed(error);

@@ -1,12 +1,10 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Text.RegularExpressions;
-using System.Threading;
 using System.Xml.Linq;
 using Glint.Core;
 using Glint.Editor;
@@ -265,7 +263,8 @@ public sealed class CrossSectionCommandTests
         string[] rcs = [At("plate.obj"), "--azimuth", "0:40:1", "--tolerance", "0.5"];
         Run([.. rcs, "--out", At("whole")]);
         int seed = Environment.TickCount;
-        KillAt(5000 + new Random(seed).Next(12000), [.. rcs, "--out", At("killed")]);
+        GlintProcess.KillAt(At("killed/results.partial"), 5000 + new Random(seed).Next(12000),
+            ["rcs", .. rcs, "--out", At("killed")]);
         Assert.That(File.Exists(At("killed/results.partial")), "killed before its end");
         Assert.That(Run([.. rcs, "--out", At("killed"), "--resume"]),
             Does.Match("resumed: [0-9]+ of 41 rows are done"));
@@ -466,22 +465,6 @@ public sealed class CrossSectionCommandTests
         Assert.That(File.ReadAllBytes(At($"{folder}/rcs.npz")), Is.EqualTo(File.ReadAllBytes(At("whole/rcs.npz"))),
             message);
         Assert.That(Timeless.Json(At(folder)), Is.EqualTo(Timeless.Json(At("whole"))), message);
-    }
-
-    void KillAt(int bytes, string[] arguments)
-    {
-        string partial = At("killed/results.partial");
-        using var process = Process.Start(new ProcessStartInfo("dotnet",
-            [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), "rcs", .. arguments])
-        { RedirectStandardOutput = true, RedirectStandardError = true });
-        process.OutputDataReceived += (_, _) => { };
-        process.ErrorDataReceived += (_, _) => { };
-        process.BeginOutputReadLine();
-        process.BeginErrorReadLine();
-        while (!process.HasExited && !(File.Exists(partial) && new FileInfo(partial).Length >= bytes))
-            Thread.Sleep(1);
-        process.Kill(); // SIGKILL
-        process.WaitForExit();
     }
 
     // Upright, facing -Z, where the radar is at azimuth 0.

@@ -1,5 +1,4 @@
 using System;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
@@ -112,17 +111,10 @@ public sealed class KernelCacheTests
     /// <summary>The output of the program with these arguments.</summary>
     static string Start(string cache, params string[] arguments)
     {
-        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), .. arguments])
-        {
-            RedirectStandardOutput = true, RedirectStandardError = true
-        };
+        var start = GlintProcess.Of(arguments);
         start.Environment["XDG_CACHE_HOME"] = cache;
-        using var process = Process.Start(start);
-        var error = process.StandardError.ReadToEndAsync();
-        string output = process.StandardOutput.ReadToEnd();
-        process.WaitForExit();
-        Assert.That(process.ExitCode, Is.EqualTo(0), error.Result);
-        s_error = error.Result;
+        (int code, string output, s_error) = GlintProcess.Run(start);
+        Assert.That(code, Is.EqualTo(0), s_error);
         return output;
     }
 }

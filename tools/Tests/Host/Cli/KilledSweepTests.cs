@@ -1,8 +1,6 @@
 using System;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
-using System.Threading;
 using Glint.Cli;
 using NUnit.Framework;
 
@@ -41,7 +39,8 @@ public sealed class KilledSweepTests
         int seed = Environment.TickCount;
         var random = new Random(seed);
         foreach (int from in new[] { 500, 15000 })
-            KillAt(from + random.Next(12000), ["sweep", Corner, .. s_sweep, "--out", At("killed"), "--resume"]);
+            GlintProcess.KillAt(At("killed/results.partial"), from + random.Next(12000),
+                ["sweep", Corner, .. s_sweep, "--out", At("killed"), "--resume"]);
 
         Assert.That(File.Exists(Path.Combine(At("killed"), "results.partial")), "killed before its end");
         string output = Run(["sweep", Corner, .. s_sweep, "--out", At("killed"), "--resume"]);
@@ -96,23 +95,6 @@ public sealed class KilledSweepTests
         Assert.That(code, Is.EqualTo(2));
         Assert.That(error,
             Does.StartWith("glint: " + message).And.EndsWith("(see glint sweep --help)" + Environment.NewLine));
-    }
-
-    void KillAt(int bytes, string[] arguments)
-    {
-        string partial = Path.Combine(At("killed"), "results.partial");
-        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"),
-            .. arguments])
-        { RedirectStandardOutput = true, RedirectStandardError = true };
-        using var process = Process.Start(start);
-        process.OutputDataReceived += (_, _) => { };
-        process.ErrorDataReceived += (_, _) => { };
-        process.BeginOutputReadLine();
-        process.BeginErrorReadLine();
-        while (!process.HasExited && !(File.Exists(partial) && new FileInfo(partial).Length >= bytes))
-            Thread.Sleep(1);
-        process.Kill(); // SIGKILL
-        process.WaitForExit();
     }
 
     void AssertSame(string folder, string message)

@@ -111,8 +111,8 @@ public sealed class ResultsFolderTests
 
     static Process StartSweep(string mesh, string angles, string folder)
     {
-        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), "sweep",
-            mesh, "--angles", angles, "--size", "16x9", "--out", folder])
+        var start = new ProcessStartInfo("dotnet", [GlintProcess.Program, "sweep", mesh,
+            "--angles", angles, "--size", "16x9", "--out", folder])
         { RedirectStandardError = true };
         start.Environment["DOTNET_SYSTEM_IO_DISABLEFILELOCKING"] = "1";
         return Process.Start(start);

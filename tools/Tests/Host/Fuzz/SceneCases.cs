@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using Glint.Cli;
@@ -93,16 +92,9 @@ sealed class SceneCases : IDisposable
     /// <summary>The same in its own process, as a user runs it.</summary>
     public Outcome Start(Random random) => Command(random, arguments =>
     {
-        var start =
-            new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), .. arguments])
-            {
-                RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = _project.Root
-            };
-        using var process = Process.Start(start);
-        var error = process.StandardError.ReadToEndAsync();
-        string output = process.StandardOutput.ReadToEnd();
-        process.WaitForExit();
-        return (process.ExitCode, output, error.Result);
+        var start = GlintProcess.Of(arguments);
+        start.WorkingDirectory = _project.Root;
+        return GlintProcess.Run(start);
     });
 
     public void Dispose()
