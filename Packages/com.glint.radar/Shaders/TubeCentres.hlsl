@@ -24,7 +24,9 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     float thin = asfloat(_Centres[CENTRE_WORDS * centre + 1]), edge = asfloat(_Centres[CENTRE_WORDS * centre + 2]),
         thinLater = asfloat(_Centres[CENTRE_WORDS * centre + 3]);
     cell.Traits |= edge > 0.0 ? EDGE_CELL : 0;
-    uint common = thin > 0.0 ? 0 : thinLater > 0.0 ? min(corners.Common, 1) : corners.Common;
+    // What reaches into the cell between its corners may take the place of any bounce of theirs.
+    bool isRevealed = IsRevealed(cell);
+    uint common = thin > 0.0 || isRevealed ? 0 : thinLater > 0.0 ? min(corners.Common, 1) : corners.Common;
     thin = max(thin, thinLater);
     float3 left = thin;      // as Strength, Thinned and Bent of a cell
     if (common > cell.FirstBounce)
@@ -61,7 +63,6 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corners.AreSame = corners.AreSame && tube.Path.Bounces >= common;
         AddTo(CountWord(POSE_RAYS), 1);
     }
-    bool isRevealed = IsRevealed(cell);
     if (thin == 0.0 && corners.AreSame && cell.FirstBounce >= common && !isRevealed)
         return;
     CurrentsLeft atCorners = LeftAt(corners, cell);
