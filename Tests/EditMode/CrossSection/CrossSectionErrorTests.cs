@@ -102,6 +102,15 @@ namespace Glint.Tests
                 Assert.That(sample.Ratio, Is.LessThan(4), sample.ToString());
         }
 
+        // The corner of a shadow of second bounces reaches into a cell of one path. The cell beside it had found it, but the divided
+        // cell was summed as a whole all the same: S was off by 4.8 times what is asked for here, 21 times the error said.
+        [Test]
+        public void CornersOfShadowsOfSecondBounces_AreFound()
+        {
+            foreach (var sample in Samples((target, number) => target == "two_plates" && number == 3, 0.01))
+                Assert.That(sample.Ratio, Is.LessThan(3), sample.ToString());
+        }
+
         static void Print(Sample[] samples)
         {
             TestContext.WriteLine(Table(samples));
@@ -139,7 +148,8 @@ namespace Glint.Tests
                     $"| {group.Key} | {ratios.Length} | {Math.Sqrt(ratios.Average(ratio => ratio * ratio)):0.00} | {ratios[ratios.Length / 2]:0.00} | {Percent(ratio => ratio < 1 / 3.0):0.0} | {Percent(ratio => ratio >= 1 / 3.0 && ratio <= 3):0.0} | {Percent(ratio => ratio > 3):0.0} | {Percent(ratio => ratio > 10):0.0} | {ratios.Last():0.0} | {100.0 * met.Count(sample => sample.True <= sample.Allowed) / met.Length:0.0} of {met.Length} |");
             }));
 
-        static IEnumerable<Sample> Samples(Func<string, int, bool> isTaken)
+        // toleranceDb: instead of that of the pose.
+        static IEnumerable<Sample> Samples(Func<string, int, bool> isTaken, double? toleranceDb = null)
         {
             using (var tracer = new CrossSectionTracer(TestKernels.Tubes))
                 foreach (var rows in Truths().Where(row => isTaken(row.Target, row.Number)).GroupBy(row => row.Target))
@@ -148,6 +158,7 @@ namespace Glint.Tests
                     foreach (var (target, number, truth) in rows)
                     {
                         var pose = ErrorPose.Of(target, scene, number);
+                        pose.ToleranceDb = toleranceDb ?? pose.ToleranceDb;
                         var result = tracer.Trace(pose);
                         foreach (bool isCross in new[] { false, true })
                         {
