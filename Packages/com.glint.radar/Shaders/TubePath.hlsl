@@ -18,6 +18,7 @@ struct TubePath
     float2 Roll;                    // of V towards H about the direction, beside what the direction's turn makes, rad a base cell
     float4 FieldV, FieldH;          // complex parts along V and H of the field for V sent, for H sent; without spread
     float StartSection;             // where the field would be 1, m2 a base cell
+    float2 ExcessSection;           // of rays that leave a facet beside those that leave its surface: m2 a base cell; a metre
     uint Signature;                 // of the patches met, and who sees them
     uint Facets;                    // that of the curved facets met, at whose sides curvatures change
     bool HasMetTarget;              // anything but a sea with a diffuse echo
@@ -205,6 +206,21 @@ void MoveToSurface(inout TubePath tube, inout SurfacePoint at, Hit hit)
     at.NormalV = ChangeAlong(facet, record, curved, tube.PlaceV, at.FacetNormal);
 }
 
+// Most that facets change the section of a tube beside that from their surface: near a caustic line either may be 0.
+static const float MAX_EXCESS = 8.0;
+
+// Gives the field of a tube that has left a curved surface the spread of the rays from there; its section is that of the rays
+// from the facet, which neighbours share. distance: since then.
+void SpreadFromSurface(inout TubePath tube, float distance)
+{
+    float excess = tube.ExcessSection.x + distance * tube.ExcessSection.y;
+    if (excess == 0.0)
+        return;
+    float section = Section(tube.PlaceU, tube.PlaceV, tube.Path.Ray.Direction);
+    tube.StartSection *= clamp(abs(section) / max(abs(section - excess), 1.0e-30), 1.0 / MAX_EXCESS, MAX_EXCESS);
+    tube.ExcessSection = 0.0;
+}
+
 // Traces a tube to its next hit; false if there is none.
 bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
 {
@@ -228,6 +244,7 @@ bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
     at = PointOf(tube, hit);
     MoveToSurface(tube, at, hit);
     float3 d = tube.Path.Ray.Direction;
+    SpreadFromSurface(tube, hit.Distance - at.Lead);
     float cosine = -dot(d, at.Normal);
     float section = abs(Section(tube.PlaceU, tube.PlaceV, d));
     float squareU = dot(tube.PlaceU, tube.PlaceU), squareV = dot(tube.PlaceV, tube.PlaceV);
@@ -287,13 +304,16 @@ float3 RateOf(uint instance, float3 position, float3 placeU, float3 placeV, floa
         dot(cross(turning, placeV), turn) + dot(velocity, turnV), dot(velocity, turn));
 }
 
-// Continues a tube, reflected by a curved surface, from its facet: with the phase of the ray that leaves the surface.
+// Continues a tube, reflected by a curved surface, from its facet: with phase and spread of the rays that leave the surface.
 void LeaveFacet(inout TubePath tube, SurfacePoint at, float3 next, float3 directionU, float3 directionV)
 {
     float3 d = tube.Path.Ray.Direction;
     float2 turn = float2(dot(tube.DirectionU, next) + dot(d, directionU), dot(tube.DirectionV, next) + dot(d, directionV)),
         before = tube.LengthSlope;
+    float3 placeU = tube.PlaceU, placeV = tube.PlaceV;
     SpreadTo(tube, at.Lead, at.FacetNormal);
+    tube.ExcessSection = float2(Section(tube.PlaceU, tube.PlaceV, next) - Section(placeU, placeV, next),
+        Section(tube.PlaceU - placeU, directionV, next) + Section(directionU, tube.PlaceV - placeV, next));
     tube.LengthSlope = before + (tube.LengthSlope - before) * dot(d, next) + at.Lead * turn;
     tube.Path.Ray.Origin += at.Lead * d;
     tube.Path.RelativeLength += at.Lead * dot(d, next);
@@ -305,11 +325,8 @@ bool ScatterTube(inout TubePath tube, SurfacePoint at)
     float3 d = tube.Path.Ray.Direction, n = at.Normal;
     float along = dot(d, n);
     float3 next = Mirrored(d, n);
-    float leaving = dot(next, at.FacetNormal);
-    if (at.IsLost || leaving <= 0.0)
+    if (at.IsLost || dot(next, at.FacetNormal) <= 0.0)
         return false;
-    // The section of the rays jumps, since they are reflected by another normal than that of their facet; the power does not.
-    tube.StartSection *= leaving / CosineOn(at.FacetNormal, d);
     float3 s = AcrossIncidence(d, n, tube.V);
     float4 reflection = ReflectionOf(at.Surface, -along);
     float2 components = float2(dot(s, tube.V), dot(s, tube.H));
