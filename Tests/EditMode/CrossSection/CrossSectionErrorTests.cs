@@ -111,8 +111,8 @@ namespace Glint.Tests
                 Assert.That(sample.Ratio, Is.LessThan(3), sample.ToString());
         }
 
-        // Rays off the limb of the mast have the field of those off a cylinder, not that of the plane of a facet: single currents
-        // were off by up to a fifth, and HV by 6.2 and 5 times the error said.
+        // Rays off the limb of the mast have the field of those off a cylinder, not that of the plane of a facet: HV was off by 6.2
+        // and 5 times the error said.
         [TestCase("ship", 0)]
         [TestCase("ship", 24)]
         public void FieldsOffFacets_SpreadAsThoseOffTheirSurface(string target, int number)
