@@ -342,11 +342,15 @@ namespace Glint.Tests
         [Test]
         public void EmptyScene_HasNone() => AssertWedges(Find(new TriangleMesh(new float3[0], new int[0])));
 
-        // All pairs would take hours.
+        // The limit is twice what is asked of idle cores, whose caches tests share.
         [Test]
-        [Timeout(60000)]
-        public void HalfAMillionTriangles_AreNotComparedWithEachOther() =>
-            Assert.That(Find(TestMeshes.Sea(500, 500)).Wedges.Count, Is.InRange(4, 2000));
+        public void HalfAMillionTriangles_TakeASecond()
+        {
+            var mesh = TestMeshes.Sea(500, 500);
+            var patches = new[] { SurfacePatches.Find(mesh) };
+            var set = ProcessorTime.Within(1, () => WedgeFinder.Find(new RadarScene(mesh), patches));
+            Assert.That(set.Wedges.Count, Is.InRange(4, 2000));
+        }
 
         static WedgeSet Find(params TriangleMesh[] meshes) => Find(new RadarScene(Array.ConvertAll(meshes,
             mesh => new MeshInstance { Mesh = mesh, ToWorld = Affine.Identity })));

@@ -127,7 +127,7 @@ namespace Glint.Tests
             Assert.That(MeshBvhReader.Check(mesh, _layout).Bytes, Is.LessThanOrEqualTo(120L * mesh.TriangleCount));
         }
 
-        [Test, Category("Slow")]
+        [Test]
         public void Build_LargeMeshMostlyInAClump_IsCutIntoFewParts()
         {
             var mesh = TestMeshes.Clump(inside: 1_100_000, outside: 5000);
