@@ -189,6 +189,10 @@ float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
     return scale * strength;
 }
 
+// A smaller cross-polarised part is what rounding leaves of one that vanishes, as that of metal which a radar illuminates and
+// sees itself.
+static const float MIN_CROSS_PART = 5.0e-6;
+
 // The cross-polarised part of p.C, 0 to 1: the largest of the receivers.
 float CrossPartAt(TubePath tube, SurfacePoint at, uint receivers)
 {
@@ -200,7 +204,7 @@ float CrossPartAt(TubePath tube, SurfacePoint at, uint receivers)
             float2 magnitudes = MagnitudesOf(CurrentsAt(tube, at, index, ReceiverFrom(index, tube.Path.Ray.Origin)));
             part = max(part, magnitudes.y / max(max(magnitudes.x, magnitudes.y), MIN_CURRENTS));
         }
-    return min(part, 1.0);
+    return part < MIN_CROSS_PART ? 0.0 : min(part, 1.0);
 }
 
 // Factor of a strength beside CellError: more than 1 where a part of the currents is cross-polarised, whose error is to be
@@ -210,10 +214,16 @@ float WeightOf(float crossPart)
     return max(1.0, _Poses[s_pose].CrossWeight * crossPart);
 }
 
-// The same at a hit. First attempts need no cross-polarised part.
+// CrossPartAt where it has a weight. First attempts take all currents as cross-polarised, which then weighs nothing.
+float WeighedPartAt(TubePath tube, SurfacePoint at, uint receivers)
+{
+    return _Poses[s_pose].CrossWeight > 1.0 ? CrossPartAt(tube, at, receivers) : 1.0;
+}
+
+// WeightOf at a hit.
 float WeightAt(TubePath tube, SurfacePoint at, uint receivers)
 {
-    return _Poses[s_pose].CrossWeight > 1.0 ? WeightOf(CrossPartAt(tube, at, receivers)) : 1.0;
+    return WeightOf(WeighedPartAt(tube, at, receivers));
 }
 
 // The smallest phase gradient towards the receivers, m a base cell.

@@ -124,6 +124,9 @@ static const uint BENT_CELL = 2;
 static const uint KINKED_CELL = 4;
 static const uint EDGE_CELL = 8;
 
+// Of cross-polarised parts: whole numbers of eight bits.
+static const uint PART_UNITS = 255;
+
 // A cell of the grid.
 struct Cell
 {
@@ -140,8 +143,11 @@ struct Cell
     uint Traits;          // DEEP_CELL: a ray through a corner of it, or of the cell that it is a part of, bounces more than
                           // once; BENT_CELL: bent phases make the error of a piece too large; KINKED_CELL: the rays through its
                           // corners met the same patches, but several facets: its signatures tell facets apart; EDGE_CELL:
-                          // the phase is slow along an outline through it, or through the cell that it is a part of
+                          // the phase is slow along an outline through it, or through the cell that it is a part of; the
+                          // upper eight: the cross-polarised part of Thinned where its corners see nothing, PART_UNITS
 };
+
+static const uint THIN_PART_SHIFT = 24;
 
 bool IsDeep(Cell cell)
 {
@@ -382,7 +388,7 @@ uint BouncesOf(Corner corner)
 
 float CrossPartOf(Corner corner)
 {
-    return (corner.Traits >> 8 & 0xff) / 255.0;
+    return (corner.Traits >> 8 & PART_UNITS) / (float)PART_UNITS;
 }
 
 uint FacetsOf(Corner corner)
@@ -396,8 +402,9 @@ StructuredBuffer<Cell> _TubeCells;         // of this round
 RWStructuredBuffer<Cell> _NextCells;       // of the next one
 RWStructuredBuffer<Cell> _Borders;         // border cells: in the first half those that are cut
 // Of each cell whose centre is traced: its number; strength of its thin parts; strength beside outlines along which the phase
-// is slow, or 0; strength of thin parts that only images of outlines tell of, which the first bounce does not meet.
-static const uint CENTRE_WORDS = 4;
+// is slow, or 0; strength of thin parts that only images of outlines tell of, which the first bounce does not meet;
+// cross-polarised part of all thin parts, PART_UNITS.
+static const uint CENTRE_WORDS = 5;
 RWStructuredBuffer<uint> _Centres;
 // Of each ray beside an outline: number in _Centres, number of the side; of one beside another line its link and these bits.
 static const uint SHADOW_RAY = 0x80000000;

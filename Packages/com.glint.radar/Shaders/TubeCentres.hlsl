@@ -23,7 +23,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     CellCorners corners = LoadCorners(cell);
     float thin = asfloat(_Centres[CENTRE_WORDS * centre + 1]), edge = asfloat(_Centres[CENTRE_WORDS * centre + 2]),
         thinLater = asfloat(_Centres[CENTRE_WORDS * centre + 3]);
-    cell.Traits |= edge > 0.0 ? EDGE_CELL : 0;
+    cell.Traits |= (edge > 0.0 ? EDGE_CELL : 0) | _Centres[CENTRE_WORDS * centre + 4] << THIN_PART_SHIFT;
     // What reaches into the cell between its corners may take the place of any bounce of theirs.
     bool isRevealed = IsRevealed(cell);
     uint common = thin > 0.0 || isRevealed ? 0 : thinLater > 0.0 ? min(corners.Common, 1) : corners.Common;

@@ -89,9 +89,12 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             // What is missing in a shadow is as strong as if it were seen.
             uint seen = isShadow && receivers == 0 ? ReceiversFaced(tube, at, SideOfCell(cell), false) : receivers;
-            float strength = StrengthAt(tube, at, seen) * WeightAt(tube, at, seen);
+            float crossPart = WeighedPartAt(tube, at, seen), strength = StrengthAt(tube, at, seen) * WeightOf(crossPart);
             if (!isMet)
+            {
                 InterlockedMax(_Centres[centre + (isImage ? 3 : 1)], asuint(strength));
+                InterlockedMax(_Centres[centre + 4], (uint)ceil(PART_UNITS * crossPart));
+            }
             if (isSlow)
                 InterlockedMax(_Centres[centre + 2], asuint(strength));
         }

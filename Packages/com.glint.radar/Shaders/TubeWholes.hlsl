@@ -32,10 +32,14 @@ void AddMissed(Cell cell)
 {
     float side = SideOfCell(cell);
     Tube missed = (Tube)0;
-    // Of a thin part between corners that see nothing only the weighted strength is known.
-    float2 strengths = LeftAt(LoadCorners(cell), cell).Missed;
+    Cell known = cell;
+    float2 strengths = LeftAt(LoadCorners(known), cell).Missed;
+    // A thin part between corners that see nothing.
     if (strengths.x == 0.0)
-        strengths = cell.Thinned * float2(1.0, 1.0 / _Poses[s_pose].CrossWeight);
+    {
+        float crossPart = (cell.Traits >> THIN_PART_SHIFT) / (float)PART_UNITS;
+        strengths = cell.Thinned / WeightOf(crossPart) * float2(1.0, crossPart);
+    }
     missed.CoPolar.x = strengths.x;
     missed.CrossPolar.x = strengths.y;
     missed.Corners01.x = side;

@@ -5,7 +5,6 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using Glint.Core;
-using Glint.Reference;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -21,16 +20,15 @@ namespace Glint.Tests
     {
         const string TruthsPath = "Packages/com.glint.tests/EditMode/CrossSection/CrossSectionTruths.txt";
 
-        // File that receives the truths of these poses of each target, hours of work: how the table was made.
+        // File that receives truths, hours of work: how the table was made. It has these poses of each target.
         const string FileVariable = "GLINT_TRUTHS";
         const int PosesOfABody = 50;
 
-        // Their truths take minutes a pose.
-        static readonly string[] SlowTargets = { "sphere", "cylinder", "top_hat", "ship" };
-
-        // Their bodies, and each part of their truths, are among those of others: the plate with edges, the dihedral and the
-        // trihedral at a finite range.
-        static readonly string[] CoveredTargets = { "plate", "near_dihedral" };
+        // Their truths take seconds, and have edges, second bounces, layers, and a finite range.
+        static readonly (string Target, int Number)[] QuickTruths =
+        {
+            ("plate_with_edges", 38), ("trihedral", 22), ("two_plates", 11), ("coated_box", 18), ("near_trihedral", 17)
+        };
 
         // The poses of each target that are compared; tools/stress errors takes all of the table.
         const string CountVariable = "GLINT_ERROR_POSES";
@@ -65,8 +63,11 @@ namespace Glint.Tests
                 && Math.Max(sample.Said, sample.True) > MinCrossError * sample.Allowed).ToArray();
             Print(coPolar);
             Print(crossPolar);
-            AssertAboutTrue(coPolar, count);
-            AssertWithinTolerance(crossPolar, count);
+            AssertAboutTrue(coPolar, count, 0.01);
+            if (isNear)
+                AssertWithinTolerance(crossPolar, count);
+            else
+                AssertAboutTrue(crossPolar, count, 0.02);
         }
 
         // Strips of grazing second bounces beside the line where two faces meet, and an edge that is just hidden all along: they
@@ -121,13 +122,14 @@ namespace Glint.Tests
         // Shares of a part of the table scatter.
         static double ScatterOf(int count) => count < PosesOfABody ? 0.04 : 0;
 
-        static void AssertAboutTrue(Sample[] samples, int count)
+        // maxAbove: share of errors above three times those said.
+        static void AssertAboutTrue(Sample[] samples, int count, double maxAbove)
         {
             double Share(Func<Sample, bool> isOne) => samples.Count(isOne) / (double)samples.Length;
             // What is above 3 has its causes in rcs.md.
             double scatter = ScatterOf(count);
             Assert.That(Share(sample => sample.Ratio >= 1 / 3.0 && sample.Ratio <= 3), Is.GreaterThanOrEqualTo(0.8 - scatter));
-            Assert.That(Share(sample => sample.Ratio > 3), Is.LessThanOrEqualTo(0.01 + scatter));
+            Assert.That(Share(sample => sample.Ratio > 3), Is.LessThanOrEqualTo(maxAbove + scatter));
             Assert.That(Share(sample => sample.Ratio > 10), Is.Zero);
             AssertWithinTolerance(samples, count);
         }
@@ -153,12 +155,13 @@ namespace Glint.Tests
         static IEnumerable<Sample> Samples(Func<string, int, bool> isTaken, double? toleranceDb = null)
         {
             using (var tracer = new CrossSectionTracer(TestKernels.Tubes))
-                foreach (var rows in Truths().Where(row => isTaken(row.Target, row.Number)).GroupBy(row => row.Target))
+                foreach (var rows in Truths().Where(truth => isTaken(truth.Target, truth.Number))
+                    .GroupBy(truth => truth.Target))
                 {
                     var scene = ErrorPose.SceneOf(rows.Key);
-                    foreach (var (target, number, truth) in rows)
+                    foreach (var truth in rows)
                     {
-                        var pose = ErrorPose.Of(target, scene, number);
+                        var pose = ErrorPose.Of(truth.Target, scene, truth.Number);
                         pose.ToleranceDb = toleranceDb ?? pose.ToleranceDb;
                         var result = tracer.Trace(pose);
                         foreach (bool isCross in new[] { false, true })
@@ -168,9 +171,9 @@ namespace Glint.Tests
                                 pair.Min(each => CrossSectionAccuracy.ScaleOf(each.Of(result.S[0, 0]), result.FloorDbsm));
                             yield return new Sample
                             {
-                                Target = target, Number = number, IsMet = result.IsMet, IsCross = isCross,
+                                Target = truth.Target, Number = truth.Number, IsMet = result.IsMet, IsCross = isCross,
                                 Said = (isCross ? result.CrossErrors : result.Errors)[0, 0],
-                                True = Math.Sqrt(pair.Average(each => Square(each.Of(result.S[0, 0]) - each.Of(truth)))),
+                                True = Math.Sqrt(pair.Average(each => Square(each.Of(result.S[0, 0]) - each.Of(truth.S)))),
                                 Scale = scale, Allowed = CrossSectionAccuracy.AllowedBy(pose.ToleranceDb) * scale
                             };
                         }
@@ -180,7 +183,7 @@ namespace Glint.Tests
 
         static double Square(Complex s) => s.Real * s.Real + s.Imaginary * s.Imaginary;
 
-        // A pose of each of the targets that take the least time, or all for the file of the variable.
+        // Those that take the least time, or all for the file of the variable.
         [Test]
         [Timeout(3600000)]
         public void Truths_AreThoseOfTheReferenceTracer()
@@ -191,52 +194,36 @@ namespace Glint.Tests
                 WriteTruths(file);
                 return;
             }
-            foreach (var (target, number, truth) in Truths().Where(row => row.Number == 0))
+            foreach (var truth in Truths().Where(truth => QuickTruths.Contains((truth.Target, truth.Number))))
             {
-                if (SlowTargets.Contains(target) || CoveredTargets.Contains(target))
-                    continue;
-                var s = TruthOf(target, number);
-                Assert.That((s.VV - truth.VV).Magnitude, Is.LessThan(1e-6 * truth.VV.Magnitude), target);
-                Assert.That((s.HH - truth.HH).Magnitude, Is.LessThan(1e-6 * truth.HH.Magnitude), target);
+                var s = ErrorTruth.Compute(truth.Target, truth.Number, truth.Fineness).S;
+                Assert.That((s.VV - truth.S.VV).Magnitude, Is.LessThan(1e-6 * truth.S.VV.Magnitude), truth.Target);
+                Assert.That((s.HH - truth.S.HH).Magnitude, Is.LessThan(1e-6 * truth.S.HH.Magnitude), truth.Target);
             }
         }
 
-        // Those that neither the table nor the file has; a run that was ended goes on where it was. Bodies that take the
-        // least time are first.
+        // Poses that the table lacks or whose truth is coarse: a line for each step, of which the last one counts. A run that was
+        // ended goes on where it was.
         static void WriteTruths(string file)
         {
-            var known = Parse(File.Exists(file) ? File.ReadAllText(file) : "").Concat(Truths())
-                .Select(row => (row.Target, row.Number)).ToHashSet();
-            foreach (string target in ErrorPose.Targets.OrderBy(target => SlowTargets.Contains(target)))
+            var known = Truths().Concat(Parse(File.Exists(file) ? File.ReadAllText(file) : ""))
+                .GroupBy(truth => (truth.Target, truth.Number)).ToDictionary(each => each.Key, each => each.Last());
+            foreach (string target in ErrorPose.Targets)
                 for (int number = 0; number < PosesOfABody; number++)
-                    if (!known.Contains((target, number)))
-                    {
-                        var s = TruthOf(target, number);
-                        var parts = new[] { s.VV, s.HH, s.HV, s.VH }.SelectMany(part => new[] { part.Real, part.Imaginary });
-                        File.AppendAllText(file, $"{target} {number} "
-                            + string.Join(" ", parts.Select(part => part.ToString("g9", CultureInfo.InvariantCulture))) + "\n");
-                    }
-        }
-
-        static ScatteringMatrix TruthOf(string target, int number)
-        {
-            var pose = ErrorPose.Of(target, ErrorPose.SceneOf(target), number);
-            return new ReferenceCrossSection(pose.Scene).Compute(pose, ErrorPose.TruthSettingsOf(target))[0, 0];
-        }
-
-        static (string Target, int Number, ScatteringMatrix S)[] Truths() =>
-            Parse(AssetDatabase.LoadAssetAtPath<TextAsset>(TruthsPath).text);
-
-        static (string Target, int Number, ScatteringMatrix S)[] Parse(string table) => table
-            .Split(new[] { '\n', '\r' }, StringSplitOptions.RemoveEmptyEntries).Select(line =>
-            {
-                var fields = line.Split(' ');
-                double Number(int field) => double.Parse(fields[field], CultureInfo.InvariantCulture);
-                return (fields[0], (int)Number(1), new ScatteringMatrix
                 {
-                    VV = new Complex(Number(2), Number(3)), HH = new Complex(Number(4), Number(5)),
-                    HV = new Complex(Number(6), Number(7)), VH = new Complex(Number(8), Number(9))
-                });
-            }).ToArray();
+                    if (!known.TryGetValue((target, number), out var truth))
+                        truth = ErrorTruth.Compute(target, number, 1);
+                    while (truth.IsCoarse)
+                    {
+                        truth = truth.Refined();
+                        File.AppendAllText(file, truth + "\n");
+                    }
+                }
+        }
+
+        static ErrorTruth[] Truths() => Parse(AssetDatabase.LoadAssetAtPath<TextAsset>(TruthsPath).text);
+
+        static ErrorTruth[] Parse(string table) => table
+            .Split(new[] { '\n', '\r' }, StringSplitOptions.RemoveEmptyEntries).Select(ErrorTruth.Parse).ToArray();
     }
 }

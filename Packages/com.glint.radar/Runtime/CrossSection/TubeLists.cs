@@ -23,7 +23,7 @@ namespace Glint
         public DeviceBuffer<TubeCorner>[] Corners { get; } = TwoOf<TubeCorner>("corners of cells");
 
         /// <summary>Words of an element of <see cref="Centres"/>: CENTRE_WORDS in Shaders/TubeBindings.hlsl.</summary>
-        public const int CentreWords = 4;
+        public const int CentreWords = 5;
 
         /// <summary>None for an amplitude.</summary>
         public DeviceBuffer<uint> Centres { get; } = new DeviceBuffer<uint>("centres of cells");
