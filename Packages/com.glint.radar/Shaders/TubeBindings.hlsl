@@ -124,8 +124,16 @@ static const uint BENT_CELL = 2;
 static const uint KINKED_CELL = 4;
 static const uint EDGE_CELL = 8;
 
-// Of cross-polarised parts: whole numbers of eight bits.
-static const uint PART_UNITS = 255;
+// A cross-polarised part, 0 to 1, as a whole number of eight bits, rounded up.
+uint UnitsOfPart(float part)
+{
+    return (uint)ceil(255.0 * part);
+}
+
+float PartOfUnits(uint units)
+{
+    return (units & 0xff) / 255.0;
+}
 
 // A cell of the grid.
 struct Cell
@@ -144,10 +152,16 @@ struct Cell
                           // once; BENT_CELL: bent phases make the error of a piece too large; KINKED_CELL: the rays through its
                           // corners met the same patches, but several facets: its signatures tell facets apart; EDGE_CELL:
                           // the phase is slow along an outline through it, or through the cell that it is a part of; the
-                          // upper eight: the cross-polarised part of Thinned where its corners see nothing, PART_UNITS
+                          // upper eight: ThinPartOf
 };
 
 static const uint THIN_PART_SHIFT = 24;
+
+// The cross-polarised part of Thinned where its corners see nothing.
+float ThinPartOf(Cell cell)
+{
+    return PartOfUnits(cell.Traits >> THIN_PART_SHIFT);
+}
 
 bool IsDeep(Cell cell)
 {
@@ -388,7 +402,7 @@ uint BouncesOf(Corner corner)
 
 float CrossPartOf(Corner corner)
 {
-    return (corner.Traits >> 8 & PART_UNITS) / (float)PART_UNITS;
+    return PartOfUnits(corner.Traits >> 8);
 }
 
 uint FacetsOf(Corner corner)
@@ -403,7 +417,7 @@ RWStructuredBuffer<Cell> _NextCells;       // of the next one
 RWStructuredBuffer<Cell> _Borders;         // border cells: in the first half those that are cut
 // Of each cell whose centre is traced: its number; strength of its thin parts; strength beside outlines along which the phase
 // is slow, or 0; strength of thin parts that only images of outlines tell of, which the first bounce does not meet;
-// cross-polarised part of all thin parts, PART_UNITS.
+// UnitsOfPart of all thin parts.
 static const uint CENTRE_WORDS = 5;
 RWStructuredBuffer<uint> _Centres;
 // Of each ray beside an outline: number in _Centres, number of the side; of one beside another line its link and these bits.

@@ -32,7 +32,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     {
         float strength = LeftAt(corners, cell).Unweighted;
         cell.Thinned = strength > 0.0 ? HIDDEN_STRENGTH * _Poses[s_pose].CrossWeight * strength : MISS;
-        cell.Traits |= PART_UNITS << THIN_PART_SHIFT;
+        cell.Traits |= UnitsOfPart(1.0) << THIN_PART_SHIFT;
         SetBent(cell, MISS);
         AddBorder(cell);
         return;

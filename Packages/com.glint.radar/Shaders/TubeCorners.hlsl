@@ -103,7 +103,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.Signature = tube.Signature;
         // Of what is hidden from all receivers a part between the corners may be seen, and as strong.
         uint seen = receivers != 0 ? receivers : ReceiversFaced(tube, at, position.Side, isTurning);
-        corner.Traits = (uint)ceil(PART_UNITS * CrossPartAt(tube, at, seen)) << 8 | FacetsOf(tube) << 16;
+        corner.Traits = UnitsOfPart(CrossPartAt(tube, at, seen)) << 8 | FacetsOf(tube) << 16;
         corner.Strength = StrengthAt(tube, at, seen);
         corner.Changes = HalfOf(SteepnessAt(tube, seen))
             | HalfOf(BentOf(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin))) << 16;

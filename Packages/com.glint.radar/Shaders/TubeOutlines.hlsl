@@ -93,7 +93,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             if (!isMet)
             {
                 InterlockedMax(_Centres[centre + (isImage ? 3 : 1)], asuint(strength));
-                InterlockedMax(_Centres[centre + 4], (uint)ceil(PART_UNITS * crossPart));
+                InterlockedMax(_Centres[centre + 4], UnitsOfPart(crossPart));
             }
             if (isSlow)
                 InterlockedMax(_Centres[centre + 2], asuint(strength));

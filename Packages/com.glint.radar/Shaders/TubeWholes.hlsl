@@ -37,7 +37,7 @@ void AddMissed(Cell cell)
     // A thin part between corners that see nothing.
     if (strengths.x == 0.0)
     {
-        float crossPart = (cell.Traits >> THIN_PART_SHIFT) / (float)PART_UNITS;
+        float crossPart = ThinPartOf(cell);
         strengths = cell.Thinned / WeightOf(crossPart) * float2(1.0, crossPart);
     }
     missed.CoPolar.x = strengths.x;

@@ -166,14 +166,13 @@ namespace Glint.Tests
                         var result = tracer.Trace(pose);
                         foreach (bool isCross in new[] { false, true })
                         {
-                            var pair = Polarisation.All.Where(each => each.IsCross == isCross).ToArray();
-                            double scale =
-                                pair.Min(each => CrossSectionAccuracy.ScaleOf(each.Of(result.S[0, 0]), result.FloorDbsm));
+                            double scale = ErrorPose.ScaleOf(result.S[0, 0], result.FloorDbsm, isCross);
                             yield return new Sample
                             {
                                 Target = truth.Target, Number = truth.Number, IsMet = result.IsMet, IsCross = isCross,
                                 Said = (isCross ? result.CrossErrors : result.Errors)[0, 0],
-                                True = Math.Sqrt(pair.Average(each => Square(each.Of(result.S[0, 0]) - each.Of(truth.S)))),
+                                True = Math.Sqrt(ErrorPose.PairOf(isCross)
+                                    .Average(each => Square(each.Of(result.S[0, 0]) - each.Of(truth.S)))),
                                 Scale = scale, Allowed = CrossSectionAccuracy.AllowedBy(pose.ToleranceDb) * scale
                             };
                         }

@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using Glint.Core;
 using Glint.Reference;
 using Unity.Mathematics;
@@ -80,9 +82,15 @@ namespace Glint.Tests
             return pose;
         }
 
-        /// <summary>What errors of VV and HH are relative to: the smaller one, or the floor; metres.</summary>
-        public static double ScaleOf(in ScatteringMatrix s, double floorDbsm) => Math.Min(
-            CrossSectionAccuracy.ScaleOf(s.VV, floorDbsm), CrossSectionAccuracy.ScaleOf(s.HH, floorDbsm));
+        /// <summary>
+        /// What errors of VV and HH, or of HV and VH, are relative to: the smaller one, or the floor; metres.
+        /// </summary>
+        public static double ScaleOf(ScatteringMatrix s, double floorDbsm, bool isCross = false) => PairOf(isCross)
+            .Min(each => CrossSectionAccuracy.ScaleOf(each.Of(s), floorDbsm));
+
+        /// <summary>VV and HH, or HV and VH.</summary>
+        public static IEnumerable<Polarisation> PairOf(bool isCross) =>
+            Polarisation.All.Where(each => each.IsCross == isCross);
 
         // A sphere whose quads, of two triangles each, are cut along ridges. In grooves between triangles rays are mirrored twice
         // at grazing incidence: which do differs from grid to grid.

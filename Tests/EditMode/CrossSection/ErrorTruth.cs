@@ -46,27 +46,19 @@ namespace Glint.Tests
         public ErrorTruth Refined()
         {
             var refined = Compute(Target, Number, 2 * Fineness);
-            refined.Excess = refined.ExcessOver(S);
+            refined.Excess = refined.ExcessOver(this);
             return refined;
         }
 
-        double ExcessOver(in ScatteringMatrix coarser)
+        double ExcessOver(ErrorTruth coarser)
         {
             var pose = ErrorPose.Of(Target, ErrorPose.SceneOf(Target), Number);
             var (boxMin, boxMax) = pose.Scene.Bound();
-            double floor = CrossSectionFloor.Of(boxMin, boxMax), excess = 0;
-            foreach (bool isCross in new[] { false, true })
-            {
-                double scale = double.PositiveInfinity, change = 0;
-                foreach (var polarisation in Polarisation.All.Where(each => each.IsCross == isCross))
-                {
-                    scale = Math.Min(scale, CrossSectionAccuracy.ScaleOf(polarisation.Of(S), floor));
-                    change = Math.Max(change, (polarisation.Of(S) - polarisation.Of(coarser)).Magnitude);
-                }
-                excess = Math.Max(excess, change / ((isCross ? MaxCrossChange : MaxChange)
-                    * CrossSectionAccuracy.AllowedBy(pose.ToleranceDb) * scale));
-            }
-            return excess;
+            double floor = CrossSectionFloor.Of(boxMin, boxMax);
+            double ExcessOf(bool isCross, double maxChange) =>
+                ErrorPose.PairOf(isCross).Max(each => (each.Of(S) - each.Of(coarser.S)).Magnitude)
+                / (maxChange * CrossSectionAccuracy.AllowedBy(pose.ToleranceDb) * ErrorPose.ScaleOf(S, floor, isCross));
+            return Math.Max(ExcessOf(false, MaxChange), ExcessOf(true, MaxCrossChange));
         }
 
         public static ErrorTruth Parse(string line)

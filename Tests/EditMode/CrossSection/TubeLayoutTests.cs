@@ -203,7 +203,7 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "DEEP_CELL", "BENT_CELL", "KINKED_CELL", "EDGE_CELL", "PART_UNITS", "THIN_PART_SHIFT", "CHANGES", "TUBE_CELLS", "TUBE_BORDERS", "TUBE_WHOLES",
+        static readonly string[] s_ofTheDevice = { "DEEP_CELL", "BENT_CELL", "KINKED_CELL", "EDGE_CELL", "THIN_PART_SHIFT", "CHANGES", "TUBE_CELLS", "TUBE_BORDERS", "TUBE_WHOLES",
             "TUBE_NEXT_CELLS", "TUBE_CENTRES", "TUBE_OUTLINES", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_SIDES", "MAX_LISTED",
             "TUBE_POINTS", "MAX_SHADOWS", "MAX_IMAGES", "SHADOW_LINE", "IMAGE_LINE",
             "SHADOW_RAY", "LIT_RAY", "IMAGE_RAY" };
