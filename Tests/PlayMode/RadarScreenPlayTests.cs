@@ -22,6 +22,7 @@ namespace Glint.Tests
         }
 
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator Screen_WhilePlaying_TurnsWithTheClock_AndShipsMove()
         {
             yield return PlayScene.Load("HarbourApproach", () => MakeSmall(Object.FindFirstObjectByType<RadarScreen>()));

@@ -38,6 +38,7 @@ namespace Glint.Tests
         }
 
         [Test]
+        [Timeout(600000)]
         public void Sea_AtXBand_IsNearNrl()
         {
             double[] angles = { 1, 3, 10, 30 };

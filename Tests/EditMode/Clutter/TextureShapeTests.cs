@@ -24,6 +24,7 @@ namespace Glint.Tests
         [TestCase(7, 1)]
         [TestCase(10, 1)]
         [TestCase(15, 0)]
+        [Timeout(600000)]
         public void ShapeVV_OverManySeas_IsWithinAFactorOfThree_ButForOneRowOfWeakWinds(double wind, int tooEven)
         {
             var seas = s_fetches.SelectMany(fetch => s_swells.Select(swell => (fetch, swell)))

@@ -78,6 +78,7 @@ namespace Glint.Tests
         }
 
         [Test]
+        [Timeout(600000)]
         public void Trace_SmallFurrowedWallInTheMiddleOfALargeScene_LengthsAreTheReferences([Values] bool isParallel)
         {
             // Hit positions at 60 m have the usual rounding, but coordinates at the reflection are small and ridges
@@ -97,6 +98,7 @@ namespace Glint.Tests
         }
 
         [Test]
+        [Timeout(600000)]
         public void Trace_SeaAndShipOf80000Triangles_LengthsAreTheReferences([Values(50, 1e4)] double range)
         {
             // From high above, where waves return rays.

@@ -54,6 +54,7 @@ namespace Glint.Tests
         [TestCase(0, 51.33)]
         [TestCase(23, 1.594)]
         [TestCase(28, 30.09)]
+        [Timeout(600000)]
         public void CornerReflector_IsWithinOnePercentOfConverged(double degrees, double converged)
         {
             var result = _tracer.Trace(Pose(CornerReflector.Turned(degrees), CornerReflector.View, OnePercentDb));
@@ -181,6 +182,7 @@ namespace Glint.Tests
         [TestCase(0, 0)]
         [TestCase(50, 0)]
         [TestCase(0, 1 << 13)]
+        [Timeout(600000)]
         public void Trace_ManyPoses_GivesResultsOfSingleOnes(int rowsADispatch, int listCapacity)
         {
             var (poses, single) = Single();
@@ -205,6 +207,7 @@ namespace Glint.Tests
         }
 
         [Test]
+        [Timeout(600000)]
         public void TrueError_IsAsSaid()
         {
             foreach (double degrees in new[] { 5.0, 16, 33 })

@@ -60,6 +60,7 @@ namespace Glint.Tests
 
         // Without dented bodies: their walls lie in the rays' planes, and a ray along a wall is on neither side of it.
         [Test]
+        [Timeout(600000)]
         public void ReflectedRays_NoneEscapes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
