@@ -22,7 +22,7 @@ namespace Glint.Tests
 
         static readonly RadarAspect s_radar = RadarAspect.At(25, 0);
 
-        [Test, Timeout(120000)]
+        [Test, Timeout(600000)]
         public void Trace_OfABoxBeforeAMirror_IsWithinTheTolerance()
         {
             var excesses = new List<double>();
