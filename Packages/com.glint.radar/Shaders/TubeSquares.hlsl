@@ -34,6 +34,7 @@ struct Bounce
     float4 Mean, SlopeU, SlopeV, Twist;
     float4 Strength;       // mean of the corners, halves of the differences along u and v, twist
     float Weight;          // largest of the corners
+    bool AreFacetsSame;    // all of them as those of the ray through the centre
 };
 
 // Place and length at which a ray has met something; at a finite range, where the direction of a receiver differs from
@@ -53,8 +54,8 @@ float4 StepSeenFrom(uint receiver, float4 position, float4 step)
     return step;
 }
 
-// Adds what the ray through a corner has met.
-void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre, uint receiver)
+// Adds what the ray through a corner has met. facets: see BounceOf.
+void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre, uint receiver, uint facets)
 {
     float4 position = 0.25 * SeenFrom(receiver, corner.Position);
     float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
@@ -66,16 +67,18 @@ void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre, uint recei
     bounce.Twist += sides.x * sides.y * position;
     bounce.Strength += 0.25 * corner.Strength * float4(1.0, sides, sides.x * sides.y);
     bounce.Weight = max(bounce.Weight, WeightOf(CrossPartOf(corner)));
+    bounce.AreFacetsSame = bounce.AreFacetsSame && FacetsOf(corner) == facets;
 }
 
 // What the rays through the corners have met at a bounce, if it is the same. corners: their elements at it. At a finite
-// range it is that of a receiver.
-Bounce BounceOf(uint4 corners, float side, uint receiver)
+// range it is that of a receiver. facets: of the ray through the centre.
+Bounce BounceOf(uint4 corners, float side, uint receiver, uint facets)
 {
     Bounce bounce = (Bounce)0;
+    bounce.AreFacetsSame = true;
     [unroll]
     for (uint i = 0; i < 4; i++)
-        AddCorner(bounce, _Corners[corners[i]], side * CornerOf(i), receiver);
+        AddCorner(bounce, _Corners[corners[i]], side * CornerOf(i), receiver, facets);
     return bounce;
 }
 
@@ -110,7 +113,7 @@ bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uin
                 continue;
             if (seenFrom == NO_RECEIVER || _IsNear != 0 && seenFrom != index)
             {
-                bounce = BounceOf(corners, side, index);
+                bounce = BounceOf(corners, side, index, FacetsOf(tube));
                 seenFrom = index;
             }
             Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
@@ -143,8 +146,14 @@ bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uin
                 currents.Corners01.yzw = bends;
             }
             currents.Corners01.x = side;
-            currents.Corners23 = strength > max(MIN_STRENGTH * mean, MIN_CURRENTS) ? bounce.Strength / strength
-                : float4(1.0, 0.0, 0.0, 0.0);
+            currents.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
+            if (strength > max(MIN_STRENGTH * mean, MIN_CURRENTS))
+            {
+                currents.Corners23 = bounce.Strength / strength;
+                // From facet to facet VV and HH change by other factors: what the centre meets is right on average. HV and VH
+                // grow with the strength towards a silhouette.
+                currents.CoPolar *= bounce.AreFacetsSame ? 1.0 : strength / mean;
+            }
             AddTubeOf(currents, centre, tube, at, receiver, side);
         }
     return true;
