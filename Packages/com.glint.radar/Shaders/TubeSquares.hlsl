@@ -152,7 +152,8 @@ bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uin
                 currents.Corners23 = bounce.Strength / strength;
                 // From facet to facet VV and HH change by other factors: what the centre meets is right on average. HV and VH
                 // grow with the strength towards a silhouette.
-                currents.CoPolar *= bounce.AreFacetsSame ? 1.0 : strength / mean;
+                if (!bounce.AreFacetsSame && mean > MIN_STRENGTH * strength)
+                    currents.CoPolar *= strength / mean;
             }
             AddTubeOf(currents, centre, tube, at, receiver, side);
         }
