@@ -96,7 +96,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 InterlockedMax(_Centres[centre + 4], UnitsOfPart(crossPart));
             }
             if (isSlow)
+            {
+                strength *= ThinningAlongEdge(SteepnessAt(tube, receivers), SideOfCell(cell));
                 InterlockedMax(_Centres[centre + 2], asuint(strength));
+            }
         }
         // Later bounces are the same on both sides of a shadow's border.
         if (isShadow || !ScatterTube(tube, at))

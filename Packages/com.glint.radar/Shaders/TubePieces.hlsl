@@ -27,8 +27,9 @@ void FitBends(inout float3 bends, float2 offset, float2 gradient)
         - both * float3(offset * offset, offset.x * offset.y);
 }
 
-// Sets the bends of a piece, the slope of its strength, and how wrong it is, relatively. What is left alone is taken as plane,
-// with the error of that. piece, origin (of the ray): from the middle of the cell; firstSide: of the cell, which the piece
+// Sets the bends of a piece, the slope of its strength, and how wrong it is, relatively. Without a corner on the facets of its
+// ray the bends are those of its facet, and what the corners differ by is an error. Without any it is taken as plane, with the
+// error of that. piece, origin (of the ray): from the middle of the cell; firstSide: of the cell, which the piece
 // begins on; strength: of the ray.
 void FitPiece(inout Tube currents, Piece piece, uint firstSide, float2 origin, CellCorners corners, TubePath tube,
     SurfacePoint at, uint index, Receiver receiver, float strength)
@@ -36,7 +37,7 @@ void FitPiece(inout Tube currents, Piece piece, uint firstSide, float2 origin, C
     float3 curved = PhaseBends(tube, at, receiver), bends = curved;
     if (all(curved == 0.0))
         return;
-    uint bounce = tube.Path.Bounces - 1, known = 0;
+    uint bounce = tube.Path.Bounces - 1, known = 0, seen = 0;
     float2 slope = 0.0;
     float missed = 0.0, changed = 0.0;
     // Twice, since a corner changes what was right for the one before; then what is left is noted.
@@ -64,6 +65,7 @@ void FitPiece(inout Tube currents, Piece piece, uint firstSide, float2 origin, C
                 known++;
                 continue;
             }
+            seen++;
             missed = max(missed, abs(PhaseOf(SeenFrom(index, corner.Position), receiver) - currents.Phase
                 - dot(currents.Gradient, offset) - HalfSquare(bends, offset)));
             changed = max(changed, abs(change));
@@ -78,7 +80,7 @@ void FitPiece(inout Tube currents, Piece piece, uint firstSide, float2 origin, C
         guessed = max(guessed, abs(HalfSquare(bends - curved, offset)));
     }
     // Compilers may take a comparison with NaN for either.
-    if (known == 0 || size > MAX_PIECE_BEND || most > MAX_PIECE_BEND || IsNaN(dot(bends, 1.0)) || IsNaN(slope.x + slope.y))
+    if (seen == 0 || size > MAX_PIECE_BEND || most > MAX_PIECE_BEND || IsNaN(dot(bends, 1.0)) || IsNaN(slope.x + slope.y))
         return;
     currents.Bends = bends;
     slope = clamp(slope, -MAX_SLOPE, MAX_SLOPE);

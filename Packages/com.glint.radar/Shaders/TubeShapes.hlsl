@@ -50,10 +50,22 @@ float Thinning(float gradient, float side)
     return min(1.0, 3.0 / max(_WaveNumber * gradient * side, 1.0e-6));
 }
 
-// The same in a cell: none along an edge, whose parts in neighbouring cells do not cancel.
+// Largest phase over a cell along an edge of slow phase, rad, that is summed as a point. A point errs to both sides, by all that
+// it is; a square errs to one side, by ThinningAlongEdge.
+static const float MAX_POINT_PHASE = 100.0;
+
+// The same along an edge, whose parts in neighbouring cells do not cancel. Of a strip across which the phase runs fast, its two
+// edges are left.
+float ThinningAlongEdge(float gradient, float side)
+{
+    float phase = _WaveNumber * gradient * side;
+    return phase > MAX_POINT_PHASE ? 2.0 / phase : 1.0;
+}
+
+// The same in a cell.
 float ThinningIn(Cell cell, float gradient, float side)
 {
-    return IsAlongEdge(cell) ? 1.0 : Thinning(gradient, side);
+    return IsAlongEdge(cell) ? ThinningAlongEdge(gradient, side) : Thinning(gradient, side);
 }
 
 // Whether a cell may be summed as a whole.

@@ -15,10 +15,14 @@ float SizeOf(float3 bends, float2 x)
 }
 
 // Relative error of a square's integral by a phase whose bend grows from side to side: the gradient between the sides
-// differs from that at the centre by this, rad.
+// differs from that at the centre by this, rad. It is odd about the centre, and adds nothing where no phase runs over the
+// square; at a finite range it does, since the currents change along the square as well.
 float CubicError(float2 difference, float2 x)
 {
-    return 0.15 * dot(difference, min(1.0, 5.4 / max(abs(x), 1.0)));
+    float2 size = min(1.0, 5.4 / max(abs(x), 1.0));
+    if (_IsNear == 0)
+        size = min(size, 0.9 * abs(x));
+    return 0.15 * dot(difference, size);
 }
 
 // Mean over a square of a bump that is 1 at the centre and 0 at the sides, (1 - u^2)(1 - v^2), and how wrong that is where the
@@ -117,9 +121,10 @@ bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uin
                 seenFrom = index;
             }
             Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
-            // Between the corners a strength that bends is off by up to this.
+            // Between the corners a strength that bends is off by up to this. On the same facets it is a bump.
             float mean = bounce.Strength.x, most = max(mean, strength);
             float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
+            change *= bounce.AreFacetsSame ? BUMP_ERROR : 0.67;
             float3 bends = BendsOf(bounce, receiver);
             float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
             float2 x = _WaveNumber * halves;
@@ -127,7 +132,7 @@ bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uin
             float size = SizeOf(_WaveNumber * bends, x);
             // How far the phase at the centre is from what the corners say, m.
             float bump = receiver.Phase - tube.Path.RelativeLength - PhaseOf(bounce.Mean, receiver) + bends.x + bends.y;
-            float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change
+            float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + change
                 + BUMP_ERROR * _WaveNumber * abs(bump));
             float2 falls = 1.0 / max(abs(x), 1.0);
             if (step == 0)
@@ -152,7 +157,9 @@ bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uin
                 currents.Corners23 = bounce.Strength / strength;
                 // From facet to facet VV and HH change by other factors: what the centre meets is right on average. HV and VH
                 // grow with the strength towards a silhouette.
-                if (!bounce.AreFacetsSame && mean > MIN_STRENGTH * strength)
+                if (bounce.AreFacetsSame)
+                    currents.Corners23.x += BUMP_MEAN * (1.0 - mean / strength);
+                else if (mean > MIN_STRENGTH * strength)
                     currents.CoPolar *= strength / mean;
             }
             AddTubeOf(currents, centre, tube, at, receiver, side);

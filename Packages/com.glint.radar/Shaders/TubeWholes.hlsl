@@ -16,8 +16,22 @@ static const float MAX_HIDDEN_ERROR = 8.0;
 
 // Cells along an edge of slow phase answer together: a square of steep phase cancels itself, and the part of the strip between
 // its edges that the square stands for does not. They are taken as points of their size, whose sum is that of the strip on
-// average, and whose errors may have one sign: this part of each.
+// average, and whose errors may have one sign: this part of each. Where the phase runs too fast for that, the square stays, and
+// the edges of the strip are its error.
 static const float ONE_SIDED = 0.25;
+
+void SumAlongEdge(inout Tube currents, float side)
+{
+    float thinning = ThinningAlongEdge(length(currents.Gradient), side);
+    if (thinning < 1.0)
+    {
+        currents.Error = side * side * thinning;
+        currents.Bent = 1.0;
+        return;
+    }
+    currents.Gradient = 0.0;
+    currents.Bent = max(currents.Bent, ONE_SIDED);
+}
 
 // Whether the middle of a cell that is summed as a whole answers far more strongly than its corners. strength: of its ray.
 bool HidesCurrents(Cell cell, TubePath tube, SurfacePoint at, uint receivers, float strength, float side)
@@ -86,10 +100,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 currents.Bent = BentErrorAt(tube, at, receiver, side);
                 currents.Error = CRUDE_ERROR * side * side * ThinningIn(cell, length(currents.Gradient), side);
                 if (IsAlongEdge(cell))
-                {
-                    currents.Gradient = 0.0;
-                    currents.Bent = max(currents.Bent, ONE_SIDED);
-                }
+                    SumAlongEdge(currents, side);
                 AddTubeOf(currents, CentreOfCell(cell), tube, at, receiver, side);
                 isSummed = true;
             }

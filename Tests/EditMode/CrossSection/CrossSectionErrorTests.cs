@@ -67,7 +67,7 @@ namespace Glint.Tests
             if (isNear)
                 AssertWithinTolerance(crossPolar, count);
             else
-                AssertAboutTrue(crossPolar, count, 0.02);
+                AssertAboutTrue(crossPolar, count, 0.01);
         }
 
         // Strips of grazing second bounces beside the line where two faces meet, and an edge that is just hidden all along: they
