@@ -93,14 +93,14 @@ namespace Glint.Tests
         [Timeout(600000)]
         public void Sphere_BistaticTo120Degrees_IsAboutMie()
         {
-            var rows = RowsOf("sphere_bistatic");
+            var rows = RowsOf("sphere_bistatic").Where((_, i) => i % 4 < 2).ToArray();
             var pose = rows[0].Pose();
             pose.Receivers = rows.Where((_, i) => i % 2 == 0).Select(row => row.ReceiverAspect()).ToArray();
             pose.ToleranceDb = PartOfTolerance * 0.1;
             var result = Tracer.Trace(pose);
             for (int i = 0; i < rows.Length; i++)
             {
-                double angle = 15 * (i / 2);
+                double angle = 30 * (i / 2);
                 double dbsm = ScatteringMatrix.Dbsm(rows[i].Polarisation.Of(result.S[i / 2, 0]));
                 TestContext.WriteLine(FormattableString.Invariant(
                     $"| {angle} | {rows[i].Polarisation} | {rows[i].Dbsm:0.000} | {dbsm:0.000} | {dbsm - rows[i].Dbsm:+0.000;-0.000} |"));

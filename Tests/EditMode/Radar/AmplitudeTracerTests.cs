@@ -166,9 +166,9 @@ namespace Glint.Tests
             }
             var poses = new[]
             {
-                Turned(0, 1), Turned(10, 0.3), Turned(28, 1), Turned(12, 1), Turned(5, 1),
+                Turned(0, 3), Turned(10, 1), Turned(28, 3), Turned(12, 3), Turned(5, 3),
                 // Nothing in the picture; another scene.
-                Turned(0, 1), Pose(CornerReflector.Turned(20), CornerReflector.View, 1)
+                Turned(0, 3), Pose(CornerReflector.Turned(20), CornerReflector.View, 3)
             };
             poses[3].Settings.Region = new RayRegion { Left = 480, Bottom = 200, Width = 960, Height = 500 };
             poses[5].Settings.Region = new RayRegion { Left = 0, Bottom = 0, Width = 10, Height = 10 };

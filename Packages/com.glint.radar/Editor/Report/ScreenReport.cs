@@ -13,8 +13,8 @@ namespace Glint.Editor
         // Cells of a report: of more the highest of neighbouring cells is shown.
         const int MaxCells = 1 << 22;
 
-        // Levels over noise in a byte, dB.
-        const double LowestLevel = -20, LevelStep = 0.5;
+        // Smallest step between levels over noise, dB, of which a byte holds 256.
+        const double MinStep = 0.1;
 
         /// <summary>
         /// The turn in a folder of <c>glint ppi</c>: levels over noise and video, each a byte a cell, spoke by spoke, as
@@ -44,12 +44,15 @@ namespace Glint.Editor
                 return ReportModel.Base64(bytes, sizeof(byte));
             }
             double size = 2 * turn.Ranges[0];
+            var levels = turn.Powers.Select(power => power - turn.NoiseDbw).ToArray();
+            var shown = levels.Where(double.IsFinite).DefaultIfEmpty();
+            double lowest = shown.Min(), step = Math.Max(MinStep, (shown.Max() - lowest) / byte.MaxValue);
             return new JObject
             {
                 ["spokes"] = spokes, ["cells"] = cells, ["cell_size"] = cellGroup * size,
                 ["range_scale"] = all * size, ["noise_dbw"] = turn.NoiseDbw, ["heading"] = turn.HeadingDegrees,
-                ["is_reduced"] = spokeGroup * cellGroup > 1, ["lowest_level"] = LowestLevel, ["level_step"] = LevelStep,
-                ["levels"] = Bytes(turn.Powers.Select(power => (power - turn.NoiseDbw - LowestLevel) / LevelStep)),
+                ["is_reduced"] = spokeGroup * cellGroup > 1, ["lowest_level"] = lowest, ["level_step"] = step,
+                ["levels"] = Bytes(levels.Select(level => (level - lowest) / step)),
                 ["video"] = Bytes(turn.Video.Select(video => video * byte.MaxValue)),
                 ["detection_count"] = turn.Detections?.Count,
                 ["detections"] = turn.Detections == null
