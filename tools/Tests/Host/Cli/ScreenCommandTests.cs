@@ -113,7 +113,7 @@ public sealed class ScreenCommandTests
         Assert.That((double)run["settings"]["range_scale"]["value"], Is.EqualTo(1000));
     }
 
-    /// <summary>The report has the turn in bytes: 0.5 dB over noise from -20 dB on, and video; and the detections.</summary>
+    /// <summary>The report has the turn in bytes: levels over noise in steps that it names, and video; and the detections.</summary>
     [Test]
     public void Report_HasTheTurn()
     {
@@ -134,9 +134,11 @@ public sealed class ScreenCommandTests
         byte[] levels = Convert.FromBase64String((string)screen["levels"]),
             shown = Convert.FromBase64String((string)screen["video"]),
             marks = Convert.FromBase64String((string)screen["detections"]);
+        double lowest = (double)screen["lowest_level"], step = (double)screen["level_step"];
+        Assert.That(step, Is.LessThan(1));
         for (int i = 0; i < power.Length; i += 7)
         {
-            Assert.That(-20 + 0.5 * levels[i], Is.EqualTo(Math.Max(-20, power[i] - noise)).Within(0.2501));
+            Assert.That(lowest + step * levels[i], Is.EqualTo(power[i] - noise).Within(0.501 * step));
             Assert.That(shown[i] / 255.0, Is.EqualTo(video[i]).Within(0.5001 / 255));
         }
         Assert.That(Enumerable.Range(0, marks.Length / 4).Select(i => (double)BitConverter.ToInt32(marks, 4 * i)),
