@@ -33,6 +33,15 @@ namespace Glint.Tests
             radar.Settings = settings;
         }
 
+        /// <summary>Before the scene's radar traces by itself: a quarter of the published rays.</summary>
+        public static void TraceAQuarter()
+        {
+            var radar = Object.FindFirstObjectByType<RadarController>();
+            var settings = radar.Settings;
+            (settings.RaysAcross, settings.RaysDown) = (960, 540);
+            radar.Settings = settings;
+        }
+
         // Runs after OnEnable and before Start.
         static void StopRuns(Scene scene, LoadSceneMode mode)
         {

@@ -32,7 +32,7 @@ namespace Glint.Tests
 
         // The poses of each target that are compared; tools/stress errors takes all of the table.
         const string CountVariable = "GLINT_ERROR_POSES";
-        const int DefaultCount = 12;
+        const int DefaultCount = 8;
 
         // Of HV and VH, as a part of what is allowed: below it they are not compared.
         const double MinCrossError = 0.02;

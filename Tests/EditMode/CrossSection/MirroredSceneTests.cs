@@ -24,7 +24,7 @@ namespace Glint.Tests
         // cell may meet it only where it does, and a strip of the cell is seen. While such corners counted as nothing, VV and HH
         // differed by 1.7 to 7.1 times what is allowed, now by 0.1 to 0.3 times.
         [Test, Timeout(60000)]
-        public void Trace_OfASphereBeforeASlab_IsThatOfItsMirrorImage([Values(28, 31, 34, 37)] double azimuth)
+        public void Trace_OfASphereBeforeASlab_IsThatOfItsMirrorImage([Values(28, 34)] double azimuth)
         {
             var mesh = SphereBeforeSlab();
             var mirrored = new TriangleMesh(

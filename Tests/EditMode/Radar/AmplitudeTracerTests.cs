@@ -166,15 +166,15 @@ namespace Glint.Tests
             }
             var poses = new[]
             {
-                Turned(0, 3), Turned(10, 1), Turned(28, 3), Turned(12, 3), Turned(5, 3),
+                Turned(0, 3), Turned(10, 2), Turned(12, 3),
                 // Nothing in the picture; another scene.
                 Turned(0, 3), Pose(CornerReflector.Turned(20), CornerReflector.View, 3)
             };
-            poses[3].Settings.Region = new RayRegion { Left = 480, Bottom = 200, Width = 960, Height = 500 };
-            poses[5].Settings.Region = new RayRegion { Left = 0, Bottom = 0, Width = 10, Height = 10 };
+            poses[2].Settings.Region = new RayRegion { Left = 480, Bottom = 200, Width = 960, Height = 500 };
+            poses[3].Settings.Region = new RayRegion { Left = 0, Bottom = 0, Width = 10, Height = 10 };
             var results = Array.ConvertAll(poses, pose => _tracer.Trace(pose));
-            Assert.That(results.Take(5).Select(result => result.RaysReceived), Is.All.GreaterThan(0));
-            Assert.That(results[5].RaysEmitted, Is.EqualTo(0));
+            Assert.That(results.Take(3).Select(result => result.RaysReceived), Is.All.GreaterThan(0));
+            Assert.That(results[3].RaysEmitted, Is.EqualTo(0));
             return _single = (poses, results);
         }
 
@@ -210,7 +210,7 @@ namespace Glint.Tests
         [Timeout(600000)]
         public void TrueError_IsAsSaid()
         {
-            foreach (double degrees in new[] { 5.0, 16, 33 })
+            foreach (double degrees in new[] { 5.0, 33 })
             {
                 var coarse = _tracer.Trace(Pose(CornerReflector.Turned(degrees), CornerReflector.View, 1));
                 var fine = _tracer.Trace(Pose(CornerReflector.Turned(degrees), CornerReflector.View, 0.1));

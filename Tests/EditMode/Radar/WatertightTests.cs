@@ -29,7 +29,7 @@ namespace Glint.Tests
         public void RaysAtCornersAndAlongEdges_NoneEscapes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
-            var (side, min) = asSoftware ? (220, 5_000_000) : (104, 1_000_000);
+            var (side, min) = asSoftware ? (140, 2_000_000) : (72, 500_000);
             var escapes = new Escapes(side, 1);
             escapes.LookAt(asSoftware, new[] { 1, 2, 7, 16, 64 }, areSomeDented: true);
             escapes.Check(min);
@@ -41,7 +41,7 @@ namespace Glint.Tests
         public void RaysAnywhere_NoneEscapes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
-            var (side, min) = asSoftware ? (510, 15_000_000) : (104, 500_000);
+            var (side, min) = asSoftware ? (300, 5_000_000) : (104, 500_000);
             var escapes = new Escapes(side, 1);
             escapes.LookAt(asSoftware, new[] { 1, 2, 7 }, areSomeDented: true,
                 Affine.FromTransform(0, double4(0.1, 0.2, 0.3, 0.9), 1));
