@@ -98,20 +98,57 @@ float FadeOf(SurfacePoint at)
     return x * x * (3.0 - 2.0 * x);
 }
 
-// p.C of the field of one sent polarisation (see ReflectField) for a received polarisation.
-float2 Radiated(float3 received, float4 field, float3 toReceiver, float3 direction, float3 normal, float3 v, float3 h,
-    float4 reflection)
+// What the currents at a hit have in common for all receivers. It is found before loops over receivers, not in them: FXC goes
+// through the whole kernel again for each instruction that it moves out of a loop.
+struct Incidence
 {
-    float3 s = AcrossIncidence(direction, normal, v), p = cross(s, direction), next = Mirrored(direction, normal),
-        reflectedP = cross(s, next);
-    float2 alongS = field.xy * dot(s, v) + field.zw * dot(s, h), alongP = field.xy * dot(p, v) + field.zw * dot(p, h);
-    float3 magnetic = cross(toReceiver, cross(s, normal));
-    float incidentS = dot(received, cross(normal, cross(direction, s)) - magnetic),
-        reflectedS = dot(received, cross(normal, cross(next, s)) - magnetic),
-        incidentP = dot(received, cross(normal, cross(direction, p)) - cross(toReceiver, cross(p, normal))),
-        reflected = dot(received, cross(normal, cross(next, reflectedP)) - cross(toReceiver, cross(reflectedP, normal)));
-    return ComplexMul(alongS, float2(incidentS, 0.0) + reflectedS * reflection.xy)
-        + ComplexMul(alongP, float2(incidentP, 0.0) + reflected * reflection.zw);
+    float4 AlongV, AlongH;                          // complex parts along s and p of the field for V sent, for H sent
+    float3 ElectricS, ElectricP;                    // currents of a field of 1 along s, along p,
+    float3 ReflectedElectricS, ReflectedElectricP;  // and of what is reflected by a mirror
+    float3 MagneticS, MagneticP, ReflectedMagneticP;
+    float4 Reflection;                              // R_s, R_p
+    float Fade;                                     // see FadeOf
+    float Spread;                                   // what the field loses by it, times the section of the tube, m2 a base cell
+    float Cosine;                                   // of the incidence angle
+};
+
+// Parts along s and p of a field (see ReflectField).
+float4 PartsOf(float4 field, float3 s, float3 p, float3 v, float3 h)
+{
+    return float4(field.xy * dot(s, v) + field.zw * dot(s, h), field.xy * dot(p, v) + field.zw * dot(p, h));
+}
+
+Incidence IncidenceAt(TubePath tube, SurfacePoint at)
+{
+    float3 d = tube.Path.Ray.Direction, n = at.Normal;
+    float3 s = AcrossIncidence(d, n, tube.V), p = cross(s, d), next = Mirrored(d, n), reflectedP = cross(s, next);
+    Incidence incidence;
+    incidence.AlongV = PartsOf(tube.FieldV, s, p, tube.V, tube.H);
+    incidence.AlongH = PartsOf(tube.FieldH, s, p, tube.V, tube.H);
+    incidence.ElectricS = cross(n, cross(d, s));
+    incidence.ElectricP = cross(n, cross(d, p));
+    incidence.ReflectedElectricS = cross(n, cross(next, s));
+    incidence.ReflectedElectricP = cross(n, cross(next, reflectedP));
+    incidence.MagneticS = cross(s, n);
+    incidence.MagneticP = cross(p, n);
+    incidence.ReflectedMagneticP = cross(reflectedP, n);
+    incidence.Cosine = -dot(d, n);
+    incidence.Reflection = ReflectionOf(at.Surface, incidence.Cosine);
+    incidence.Fade = FadeOf(at);
+    incidence.Spread = sqrt(abs(tube.StartSection) * abs(Section(tube.PlaceU, tube.PlaceV, d)));
+    return incidence;
+}
+
+// p.C of one sent polarisation for a received one. along: parts of its field.
+float2 Radiated(float3 received, float4 along, float3 toReceiver, Incidence incidence)
+{
+    float3 magnetic = cross(toReceiver, incidence.MagneticS);
+    float incidentS = dot(received, incidence.ElectricS - magnetic),
+        reflectedS = dot(received, incidence.ReflectedElectricS - magnetic),
+        incidentP = dot(received, incidence.ElectricP - cross(toReceiver, incidence.MagneticP)),
+        reflectedP = dot(received, incidence.ReflectedElectricP - cross(toReceiver, incidence.ReflectedMagneticP));
+    return ComplexMul(along.xy, float2(incidentS, 0.0) + reflectedS * incidence.Reflection.xy)
+        + ComplexMul(along.zw, float2(incidentP, 0.0) + reflectedP * incidence.Reflection.zw);
 }
 
 // Of the sums of a receiver: paths that have met a sea alone are summed apart, behind all receivers.
@@ -127,23 +164,17 @@ float2 PhaseSlope(TubePath tube, Receiver receiver)
 }
 
 // The currents at a hit, towards a receiver: a tube without its polygon.
-Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
+Tube CurrentsAt(Incidence incidence, TubePath tube, uint index, Receiver receiver)
 {
-    float3 d = tube.Path.Ray.Direction;
-    float cosine = -dot(d, at.Normal);
-    float4 reflection = ReflectionOf(at.Surface, cosine);
-    float section = abs(Section(tube.PlaceU, tube.PlaceV, d));
-    float scale = receiver.Strength * FadeOf(at) * sqrt(abs(tube.StartSection) * section) / cosine;
+    float scale = receiver.Strength * incidence.Fade * incidence.Spread / incidence.Cosine;
     Tube currents = (Tube)0;
     currents.Phase = receiver.Phase - tube.Path.RelativeLength;
     currents.Gradient = PhaseSlope(tube, receiver);
     currents.Tag = SlotOf(tube, index) | tube.Path.Bounces << 8;
-    currents.CoPolar = scale * float4(
-        Radiated(receiver.V, tube.FieldV, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection),
-        Radiated(receiver.H, tube.FieldH, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection));
-    currents.CrossPolar = scale * float4(
-        Radiated(receiver.H, tube.FieldV, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection),
-        Radiated(receiver.V, tube.FieldH, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection));
+    currents.CoPolar = scale * float4(Radiated(receiver.V, incidence.AlongV, receiver.Direction, incidence),
+        Radiated(receiver.H, incidence.AlongH, receiver.Direction, incidence));
+    currents.CrossPolar = scale * float4(Radiated(receiver.H, incidence.AlongV, receiver.Direction, incidence),
+        Radiated(receiver.V, incidence.AlongH, receiver.Direction, incidence));
     return currents;
 }
 
@@ -197,11 +228,12 @@ static const float MIN_CROSS_PART = 5.0e-6;
 float CrossPartAt(TubePath tube, SurfacePoint at, uint receivers)
 {
     float part = 0.0;
+    Incidence incidence = IncidenceAt(tube, at);
     [loop]
     for (uint index = 0; index < _ReceiverCount && !at.IsLost; index++)
         if ((receivers >> index & 1) != 0)
         {
-            float2 magnitudes = MagnitudesOf(CurrentsAt(tube, at, index, ReceiverFrom(index, tube.Path.Ray.Origin)));
+            float2 magnitudes = MagnitudesOf(CurrentsAt(incidence, tube, index, ReceiverFrom(index, tube.Path.Ray.Origin)));
             part = max(part, magnitudes.y / max(max(magnitudes.x, magnitudes.y), MIN_CURRENTS));
         }
     return part < MIN_CROSS_PART ? 0.0 : min(part, 1.0);

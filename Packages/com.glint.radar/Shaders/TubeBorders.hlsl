@@ -111,24 +111,31 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                 break;
             bool isLeft = bounce >= cell.FirstBounce;
             isBent = isBent || isLeft && BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side) > 0.0;
-            float strength = isCheck || !isLeft ? 0.0 : StrengthAt(tube, at, receivers);
-            // The errors of all receivers, then the sums.
-            [loop]
-            for (uint step = isFit || isFirst && fits > 0 ? 0 : 1; step < (isFit ? 1 : 2) && !isCheck && isLeft; step++)
+            if (!isCheck && isLeft)
+            {
+                bool findsErrors = isFit || isFirst && fits > 0;
+                float strength = StrengthAt(tube, at, receivers), weight = 1.0;
+                if (findsErrors)
+                    weight = WeightAt(tube, at, receivers);
+                Incidence incidence = IncidenceAt(tube, at);
+                // The errors of all receivers, then the sums.
+                uint stop = isFit ? _ReceiverCount : 2 * _ReceiverCount;
                 [loop]
-                for (uint number = 0; number < _ReceiverCount; number++)
+                for (uint turn = findsErrors ? 0 : _ReceiverCount; turn < stop; turn++)
                 {
+                    bool isSum = turn >= _ReceiverCount;
+                    uint number = isSum ? turn - _ReceiverCount : turn;
                     if ((receivers >> number & 1) == 0 || bounce >= end)
                         continue;
                     Receiver receiver = ReceiverFrom(number, tube.Path.Ray.Origin);
-                    Tube currents = CurrentsAt(tube, at, number, receiver);
+                    Tube currents = CurrentsAt(incidence, tube, number, receiver);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
                     if (isStraight)
                         FitPiece(currents, piece, startSide, place, corners, tube, at, number, receiver, strength);
                     float area = AreaOf(piece, side) * ThinningIn(cell, length(currents.Gradient), side);
-                    if (step == 0)
+                    if (!isSum)
                     {
-                        if (currents.Bent * area * strength * WeightAt(tube, at, receivers) > CellError())
+                        if (currents.Bent * area * strength * weight > CellError())
                             end = bounce;
                         continue;
                     }
@@ -137,6 +144,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         : CRUDE_ERROR * area;
                     AddTubeOf(currents, CentreOfCell(cell) + place, tube, at, receiver, side);
                 }
+            }
             if (!ScatterTube(tube, at))
                 break;
         }

@@ -38,7 +38,8 @@ Changes FindChanges(TubePath tube, SurfacePoint at, uint index, float side, floa
         float strengthThere = StrengthAt(beside, there, receivers);
         // Past a silhouette there is nothing.
         isKnown = isKnown && !IsNaN(strengthThere) && strengthThere > max(MIN_STRENGTH * strength, MIN_CURRENTS);
-        Tube currents = CurrentsAt(beside, there, index, ReceiverFrom(index, beside.Path.Ray.Origin));
+        Tube currents = CurrentsAt(IncidenceAt(beside, there), beside, index,
+            ReceiverFrom(index, beside.Path.Ray.Origin));
         float2 part = isKnown ? reach / side * strength / strengthThere * step : 0.0;
         changes.CoPolarU += part.x * currents.CoPolar;
         changes.CoPolarV += part.y * currents.CoPolar;

@@ -54,19 +54,20 @@ void FitPiece(inout Tube currents, Piece piece, uint firstSide, float2 origin, C
                 continue;
             if (step < 2 && FacetsOf(corner) != FacetsOf(tube))
                 continue;
+            Receiver near = NearFrom(index, corner.Position);
             float2 offset = piece.Corners[i] - origin;
             float change = corner.Strength / max(strength, MIN_CURRENTS) - 1.0 - dot(slope, offset);
             if (step < 2)
             {
-                float2 gradient = float2(PhaseOf(StepSeenFrom(index, corner.Position, corner.AlongU), receiver),
-                    PhaseOf(StepSeenFrom(index, corner.Position, corner.AlongV), receiver));
+                float2 gradient = float2(PhaseOf(StepSeenFrom(near, corner.AlongU), receiver),
+                    PhaseOf(StepSeenFrom(near, corner.AlongV), receiver));
                 FitBends(bends, offset, gradient - currents.Gradient);
                 slope += change / dot(offset, offset) * offset;
                 known++;
                 continue;
             }
             seen++;
-            missed = max(missed, abs(PhaseOf(SeenFrom(index, corner.Position), receiver) - currents.Phase
+            missed = max(missed, abs(PhaseOf(SeenFrom(near, corner.Position), receiver) - currents.Phase
                 - dot(currents.Gradient, offset) - HalfSquare(bends, offset)));
             changed = max(changed, abs(change));
         }

@@ -27,13 +27,14 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     while (AdvanceTube(tube, at))
     {
         uint receivers = ReceiversOf(tube, at);
+        Incidence incidence = IncidenceAt(tube, at);
         [loop]
         for (uint which = 0; which < _ReceiverCount; which++)
         {
             if ((receivers >> which & 1) == 0)
                 continue;
             Receiver receiver = ReceiverFrom(which, tube.Path.Ray.Origin);
-            Tube currents = CurrentsAt(tube, at, which, receiver);
+            Tube currents = CurrentsAt(incidence, tube, which, receiver);
             currents.Gradient = 0.0;
             currents.Corners01.x = spacing;
             currents.Corners23.x = 1.0;

@@ -41,30 +41,35 @@ struct Bounce
     bool AreFacetsSame;    // all of them as those of the ray through the centre
 };
 
-// Place and length at which a ray has met something; at a finite range, where the direction of a receiver differs from
-// place to place, minus the phase towards it instead.
-float4 SeenFrom(uint receiver, float4 position)
+// A receiver at a finite range, where its direction differs from place to place. Far ones are not asked.
+Receiver NearFrom(uint receiver, float4 position)
 {
+    Receiver near = (Receiver)0;
     if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, position.w - ReceiverFrom(receiver, position.xyz).Phase);
-    return position;
+        near = ReceiverFrom(receiver, position.xyz);
+    return near;
+}
+
+// Place and length at which a ray has met something; at a finite range minus the phase towards the receiver there instead.
+float4 SeenFrom(Receiver near, float4 position)
+{
+    return _IsNear != 0 ? float4(0.0, 0.0, 0.0, position.w - near.Phase) : position;
 }
 
 // The differential of SeenFrom for that of a position.
-float4 StepSeenFrom(uint receiver, float4 position, float4 step)
+float4 StepSeenFrom(Receiver near, float4 step)
 {
-    if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, step.w - dot(ReceiverFrom(receiver, position.xyz).Direction, step.xyz));
-    return step;
+    return _IsNear != 0 ? float4(0.0, 0.0, 0.0, step.w - dot(near.Direction, step.xyz)) : step;
 }
 
 // Adds what the ray through a corner has met. facets: see BounceOf.
 void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre, uint receiver, uint facets)
 {
-    float4 position = 0.25 * SeenFrom(receiver, corner.Position);
+    Receiver near = NearFrom(receiver, corner.Position);
+    float4 position = 0.25 * SeenFrom(near, corner.Position);
     float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
-    bounce.AlongU += fromCentre.x * StepSeenFrom(receiver, corner.Position, corner.AlongU);
-    bounce.AlongV += fromCentre.y * StepSeenFrom(receiver, corner.Position, corner.AlongV);
+    bounce.AlongU += fromCentre.x * StepSeenFrom(near, corner.AlongU);
+    bounce.AlongV += fromCentre.y * StepSeenFrom(near, corner.AlongV);
     bounce.Mean += position;
     bounce.SlopeU += sides.x * position;
     bounce.SlopeV += sides.y * position;
@@ -107,63 +112,66 @@ static const uint NO_RECEIVER = 0xffffffff;
 bool AddSquare(uint4 corners, float2 centre, TubePath tube, SurfacePoint at, uint receivers, float strength, float weight,
     float side, bool canDivide)
 {
+    Incidence incidence = IncidenceAt(tube, at);
     Bounce bounce = (Bounce)0;
     uint seenFrom = NO_RECEIVER;
+    // The errors of all receivers, then the sums.
     [loop]
-    for (uint step = canDivide ? 0 : 1; step < 2; step++)
-        for (uint index = 0; index < _ReceiverCount; index++)
+    for (uint turn = canDivide ? 0 : _ReceiverCount; turn < 2 * _ReceiverCount; turn++)
+    {
+        bool isSum = turn >= _ReceiverCount;
+        uint index = isSum ? turn - _ReceiverCount : turn;
+        if ((receivers >> index & 1) == 0)
+            continue;
+        if (seenFrom == NO_RECEIVER || _IsNear != 0 && seenFrom != index)
         {
-            if ((receivers >> index & 1) == 0)
-                continue;
-            if (seenFrom == NO_RECEIVER || _IsNear != 0 && seenFrom != index)
-            {
-                bounce = BounceOf(corners, side, index, FacetsOf(tube));
-                seenFrom = index;
-            }
-            Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
-            // Between the corners a strength that bends is off by up to this. On the same facets it is a bump.
-            float mean = bounce.Strength.x, most = max(mean, strength);
-            float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
-            change *= bounce.AreFacetsSame ? BUMP_ERROR : 0.67;
-            float3 bends = BendsOf(bounce, receiver);
-            float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
-            float2 x = _WaveNumber * halves;
-            float2 atCentre = 0.5 * _WaveNumber * side * PhaseSlope(tube, receiver);
-            float size = SizeOf(_WaveNumber * bends, x);
-            // How far the phase at the centre is from what the corners say, m.
-            float bump = receiver.Phase - tube.Path.RelativeLength - PhaseOf(bounce.Mean, receiver) + bends.x + bends.y;
-            float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + change
-                + BUMP_ERROR * _WaveNumber * abs(bump));
-            float2 falls = 1.0 / max(abs(x), 1.0);
-            if (step == 0)
-            {
-                if (error * falls.x * falls.y * side * side * most * max(weight, bounce.Weight) > CellError())
-                    return false;
-                continue;
-            }
-            Tube currents = CurrentsAt(tube, at, index, receiver);
-            currents.Bent = error;
-            // Where the expansion fails, on cells too small to matter, the square is taken as plane.
-            if (size < MAX_BENDS)
-            {
-                currents.Phase = PhaseOf(bounce.Mean, receiver) + BUMP_MEAN * bump;
-                currents.Gradient = halves * (2.0 / side);
-                currents.Corners01.yzw = bends;
-            }
-            currents.Corners01.x = side;
-            currents.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
-            if (strength > max(MIN_STRENGTH * mean, MIN_CURRENTS))
-            {
-                currents.Corners23 = bounce.Strength / strength;
-                // From facet to facet VV and HH change by other factors: what the centre meets is right on average. HV and VH
-                // grow with the strength towards a silhouette.
-                if (bounce.AreFacetsSame)
-                    currents.Corners23.x += BUMP_MEAN * (1.0 - mean / strength);
-                else if (mean > MIN_STRENGTH * strength)
-                    currents.CoPolar *= strength / mean;
-            }
-            AddTubeOf(currents, centre, tube, at, receiver, side);
+            bounce = BounceOf(corners, side, index, FacetsOf(tube));
+            seenFrom = index;
         }
+        Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
+        // Between the corners a strength that bends is off by up to this. On the same facets it is a bump.
+        float mean = bounce.Strength.x, most = max(mean, strength);
+        float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
+        change *= bounce.AreFacetsSame ? BUMP_ERROR : 0.67;
+        float3 bends = BendsOf(bounce, receiver);
+        float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
+        float2 x = _WaveNumber * halves;
+        float2 atCentre = 0.5 * _WaveNumber * side * PhaseSlope(tube, receiver);
+        float size = SizeOf(_WaveNumber * bends, x);
+        // How far the phase at the centre is from what the corners say, m.
+        float bump = receiver.Phase - tube.Path.RelativeLength - PhaseOf(bounce.Mean, receiver) + bends.x + bends.y;
+        float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + change
+            + BUMP_ERROR * _WaveNumber * abs(bump));
+        float2 falls = 1.0 / max(abs(x), 1.0);
+        if (!isSum)
+        {
+            if (error * falls.x * falls.y * side * side * most * max(weight, bounce.Weight) > CellError())
+                return false;
+            continue;
+        }
+        Tube currents = CurrentsAt(incidence, tube, index, receiver);
+        currents.Bent = error;
+        // Where the expansion fails, on cells too small to matter, the square is taken as plane.
+        if (size < MAX_BENDS)
+        {
+            currents.Phase = PhaseOf(bounce.Mean, receiver) + BUMP_MEAN * bump;
+            currents.Gradient = halves * (2.0 / side);
+            currents.Corners01.yzw = bends;
+        }
+        currents.Corners01.x = side;
+        currents.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
+        if (strength > max(MIN_STRENGTH * mean, MIN_CURRENTS))
+        {
+            currents.Corners23 = bounce.Strength / strength;
+            // From facet to facet VV and HH change by other factors: what the centre meets is right on average. HV and VH
+            // grow with the strength towards a silhouette.
+            if (bounce.AreFacetsSame)
+                currents.Corners23.x += BUMP_MEAN * (1.0 - mean / strength);
+            else if (mean > MIN_STRENGTH * strength)
+                currents.CoPolar *= strength / mean;
+        }
+        AddTubeOf(currents, centre, tube, at, receiver, side);
+    }
     return true;
 }
 

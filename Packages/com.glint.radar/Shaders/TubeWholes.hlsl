@@ -89,12 +89,13 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             isHidden = true;
             break;
         }
+        Incidence incidence = IncidenceAt(tube, at);
         [loop]
         for (uint number = 0; number < _ReceiverCount && isLeft; number++)
             if ((receivers >> number & 1) != 0)
             {
                 Receiver receiver = ReceiverFrom(number, tube.Path.Ray.Origin);
-                Tube currents = CurrentsAt(tube, at, number, receiver);
+                Tube currents = CurrentsAt(incidence, tube, number, receiver);
                 currents.Corners01.x = side;
                 currents.Corners23.x = 1.0;
                 currents.Bent = BentErrorAt(tube, at, receiver, side);
