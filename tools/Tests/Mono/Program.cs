@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Reflection;
 using System.Threading;
 using Glint.Core;
@@ -11,13 +12,41 @@ using NUnit.Framework.Internal;
 namespace Glint.Tests.Mono;
 
 /// <summary>
-/// Runs the tests of this assembly that are not slow with NUnit's own runner; the last line is "N passed, N failed". With
-/// <c>--hold FOLDER</c> it opens a results folder and holds it until it is killed.
+/// Runs the tests of this assembly that are neither slow nor long with NUnit's own runner; the last line is
+/// "N passed, N failed". With <c>--hold FOLDER</c> it opens a results folder and holds it until it is killed.
 /// </summary>
 static class Program
 {
-    // The long computations are of double precision, which is the same under Mono.
-    static readonly TestFilter NotSlow = TestFilter.FromXml("<filter><not><cat>Slow</cat></not></filter>");
+    // They take more than half of the time, and what they prove does not depend on the runtime: integrals and statistics in
+    // double precision, and meshes so large that a build takes seconds.
+    static readonly string[] s_long =
+    [
+        nameof(CfarTests.FalseAlarms_AtTheEdges_AreAsManyAsInside),
+        nameof(CfarTests.FalseAlarms_InNoise_AreAsManyAsAskedFor),
+        nameof(CfarTests.FalseAlarms_InKClutter_RiseWithItsSpikes),
+        nameof(ClutterStatisticsTests.Shapes_OfKDistributedSamples_AreTheirs),
+        nameof(DopplerCentroidTests.Centroid_AgainstTheWind_IsNearTheClosedFormAndCdop),
+        nameof(EchoDetectionTests.FalseAlarms_OfAMap_AreAsManyAsAskedFor),
+        nameof(FacetTableTests.Read_OfAFacet_IsTheMeanOverItsUnresolvedSlopes),
+        nameof(FacetTableTests.Read_OverResolvedSlopes_IsTheTwoScaleMean),
+        nameof(FrequencyGroupsTests.LargerError_TakesFewerTraces),
+        nameof(GustsTests.Facet_InAGust_ScattersAsInItsWind),
+        nameof(IsarTransformTests.Image_FromATrack_HasPointsAtTheirPlacesWithTheirCrossSections),
+        nameof(MeshBvhTests.Build_LargeMeshMostlyInAClump_IsCutIntoFewParts),
+        nameof(MeshBvhTests.Build_PairsOrNoPairs_TakesAtMost120BytesATriangle),
+        nameof(MeshQualityTests.PublishedSphere_IsGoodAtTenGigahertz),
+        nameof(ScatterometerTests.MeanEcho_AtCBand_IsNearTheScatterometers),
+        nameof(ShipModelTests.Build_OfALargeShip_FollowsItsHullAtTenGigahertz),
+        nameof(ShipModelTests.Build_OfALargeShip_IsClosedWithoutNeedles),
+        nameof(SpeckleTests.Between_FallsLikeAGaussian),
+        nameof(SurfacePatchesTests.HalfAMillionTriangles_WithoutSharedVertices_TakeThreeSeconds),
+        nameof(SurfacePatchesTests.RotatedAndShuffled_HasTheSamePatchesAndNormals),
+        nameof(WedgeFinderTests.HalfAMillionTriangles_TakeASecond),
+        nameof(WeldedMeshTests.HalfAMillionTriangles_WithoutSharedVertices_AreWeldedInASecond)
+    ];
+
+    static readonly TestFilter Filter = TestFilter.FromXml("<filter><not><or><cat>Slow</cat>"
+        + string.Concat(s_long.Select(name => $"<method>{name}</method>")) + "</or></not></filter>");
 
     static int Main(string[] arguments)
     {
@@ -25,7 +54,7 @@ static class Program
             return HoldFolder(arguments[1]);
         var runner = new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder());
         runner.Load(Assembly.GetExecutingAssembly(), new Dictionary<string, object>());
-        var result = runner.Run(new Listener(Console.Out), NotSlow);
+        var result = runner.Run(new Listener(Console.Out), Filter);
         int failed = result.FailCount + result.SkipCount + result.InconclusiveCount;
         // A fixture whose set-up fails counts no test.
         if (failed == 0 && (result.PassCount == 0 || result.ResultState.Status != TestStatus.Passed))
