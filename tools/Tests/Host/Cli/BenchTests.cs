@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using System.Threading;
 using Glint.Cli;
 using Glint.Core;
@@ -102,16 +103,37 @@ public sealed class BenchTests
         Assert.That(output, Does.Contain("plate.obj").And.Contain("ratio"));
     }
 
-    // The stored sea of state 5, at a frequency of few tubes.
+    // The scene of state 5 with a tile of few facets, at a frequency of few tubes.
     [Test]
     public void Bench_OfASceneWithClutter_TimesTheEchoOfItsPicture()
     {
-        string file = Path.Combine(_folder, "figures.json");
-        var (code, _, error) = TestShell.Run("bench", "Scenes/SeaState5.unity", "--clutter", "on", "--size", "96x54",
-            "--frequency", "1e9", "--rounds", "1", "--reference", "none", "--json", file);
-
-        Assert.That(code, Is.EqualTo(0), error);
+        string root = Project.FindRoot(AppContext.BaseDirectory), file = Path.Combine(_folder, "figures.json"),
+            text = Regex.Replace(File.ReadAllText(Path.Combine(root, "Scenes/SeaState5.unity")),
+                @"_snapshots:\n(  - .*\n)+", "_snapshots: []\n");
+        foreach (var (before, after) in new[]
+            {
+                ("GridSize: 64", "GridSize: 16"), ("    Cells: 94", "    Cells: 16"),
+                ("_extent: {x: 64, y: 128}", "_extent: {x: 64, y: 64}")
+            })
+        {
+            Assert.That(text, Does.Contain(before));
+            text = text.Replace(before, after);
+        }
+        // A scene must be in the project.
+        string scene = Path.Combine(root, "Scenes", Path.GetRandomFileName() + ".unity");
+        File.WriteAllText(scene, text);
+        try
+        {
+            var (code, _, error) = TestShell.Run("bench", scene, "--clutter", "on", "--size", "96x54",
+                "--frequency", "1e9", "--rounds", "1", "--reference", "none", "--json", file);
+            Assert.That(code, Is.EqualTo(0), error);
+        }
+        finally
+        {
+            File.Delete(scene);
+        }
         var row = JObject.Parse(File.ReadAllText(file))["clutter"].Single();
+        Assert.That(row["facets"].ToObject<int>(), Is.EqualTo(2 * 16 * 16));
         Assert.That(row["lit_fraction"].ToObject<double>(), Is.GreaterThan(0).And.LessThanOrEqualTo(1));
         Assert.That(row["sum_gpu_ms"].ToObject<double>(), Is.GreaterThan(0));
     }

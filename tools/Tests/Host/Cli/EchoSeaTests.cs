@@ -39,9 +39,9 @@ public sealed class EchoSeaTests : EchoFixture
     public void DopplerLine_OfTheSea_IsThatOfTheBraggWaves()
     {
         File.WriteAllText(_scene, Scene());
-        Run(_scene, "--azimuth", "0,90,180", "--elevation", $"{Elevation}", "--bandwidth", "30e6", "--pulses", "64",
-            "--prf", "50", "--polarisation", "vv", "--tolerance", "3", "--bounces", "1", "--detect", "os", "--false-alarm", "1e-3",
-            "--out", At("sea"));
+        Run(_scene, "--azimuth", "0,90,180", "--elevation", $"{Elevation}", "--bandwidth", "30e6", "--frequencies", "4",
+            "--pulses", "64", "--prf", "50", "--polarisation", "vv", "--tolerance", "3", "--bounces", "1",
+            "--detect", "os", "--false-alarm", "1e-3", "--out", At("sea"));
         double wave = 4 * Math.PI / Wavelength * Math.Cos(Elevation * Math.PI / 180),
             line = Math.Sqrt(9.81 * wave + 7.2e-5 * Math.Pow(wave, 3)) * Wavelength / (4 * Math.PI);
         var table = Table("sea/doppler.csv").ToLookup(row => Number(row, "azimuth_deg"));

@@ -14,7 +14,7 @@ public sealed class KilledSweepTests
     const int Poses = 11 * 2 * 2;
 
     static readonly string[] s_sweep =
-        ["--angles", "-3:2:0.5", "--grazing", "0,0.5", "--frequency", "9e9,10e9", "--fov", "2.3", "--size", "200x150"];
+        ["--angles", "-3:2:0.5", "--grazing", "0,0.5", "--frequency", "9e9,10e9", "--fov", "2.3"];
 
     string _folder;
 
@@ -35,15 +35,17 @@ public sealed class KilledSweepTests
     [Test]
     public void Sweep_KilledTwice_ResumesToTheFilesOfAnUndisturbedOne()
     {
-        Run(["sweep", Corner, .. s_sweep, "--out", At("whole")]);
+        // The process is to be killed before its end: a pose takes longer than the time between two looks at the file.
+        string[] size = ["--size", "200x150"];
+        Run(["sweep", Corner, .. s_sweep, .. size, "--out", At("whole")]);
         int seed = Environment.TickCount;
         var random = new Random(seed);
         foreach (int from in new[] { 500, 15000 })
             GlintProcess.KillAt(At("killed/results.partial"), from + random.Next(12000),
-                ["sweep", Corner, .. s_sweep, "--out", At("killed"), "--resume"]);
+                ["sweep", Corner, .. s_sweep, .. size, "--out", At("killed"), "--resume"]);
 
         Assert.That(File.Exists(Path.Combine(At("killed"), "results.partial")), "killed before its end");
-        string output = Run(["sweep", Corner, .. s_sweep, "--out", At("killed"), "--resume"]);
+        string output = Run(["sweep", Corner, .. s_sweep, .. size, "--out", At("killed"), "--resume"]);
         Assert.That(output, Does.Match($"resumed: [0-9]+ of {Poses} poses are done"));
         AssertSame("killed", $"seed {seed}");
     }
@@ -51,9 +53,10 @@ public sealed class KilledSweepTests
     [Test]
     public void Sweep_InParts_MergesToTheFilesOfAnUndividedOne()
     {
-        Run(["sweep", Corner, .. s_sweep, "--out", At("whole")]);
+        string[] sweep = ["sweep", Corner, .. s_sweep, "--size", "40x30", "--out"];
+        Run([.. sweep, At("whole")]);
         for (int number = 1; number <= 3; number++)
-            Run(["sweep", Corner, .. s_sweep, "--shard", $"{number}/3", "--out", At($"{number}")]);
+            Run([.. sweep, At($"{number}"), "--shard", $"{number}/3"]);
         Run(["merge", At("3"), At("1"), At("2"), "--out", At("merged")]);
         AssertSame("merged", "three parts");
     }
@@ -65,7 +68,7 @@ public sealed class KilledSweepTests
     public void Sweep_OverASeaInParts_MergesToTheFilesOfAnUndividedOne()
     {
         string[] sweep = ["sweep", "Scenes/SeaState6.unity", "--target", "Sea", "--snapshots", "2,1,4,3",
-            "--grazing", "15,20", "--size", "160x90", "--out"];
+            "--grazing", "15,20", "--size", "64x36", "--out"];
         Run([.. sweep, At("whole")]);
         Run([.. sweep, At("1"), "--shard", "1/2"]);
         Run([.. sweep, At("2"), "--shard", "2/2"]);
