@@ -16,6 +16,9 @@ public sealed class ClutterCommandTests
 {
     const string Scene = "Scenes/SeaState5.unity";
 
+    // Few rays, and few tubes for the clutter.
+    static readonly string[] s_coarse = ["--size", "96x54", "--frequency", "3e9"];
+
     string _folder;
 
     [SetUp]
@@ -142,7 +145,7 @@ public sealed class ClutterCommandTests
     {
         void Sweep(string folder, params string[] options)
         {
-            var (code, _, error) = TestShell.Run(["sweep", Scene, "--snapshots", "1,6", "--size", "192x108", .. options,
+            var (code, _, error) = TestShell.Run(["sweep", Scene, "--snapshots", "1,6", .. s_coarse, .. options,
                 "--out", At(folder)]);
             Assert.That(code, Is.Zero, error);
         }
@@ -167,14 +170,14 @@ public sealed class ClutterCommandTests
     [Test]
     public void Run_OfASeaWithClutter_PrintsTheFiguresOfItsFiles()
     {
-        var (code, output, error) = TestShell.Run("run", Scene, "--size", "192x108", "--clutter", "on", "--out", At("on"));
+        var (code, output, error) = TestShell.Run(["run", Scene, .. s_coarse, "--clutter", "on", "--out", At("on")]);
         Assert.That(code, Is.Zero, error);
         var row = Rows("on", "results.csv").Single();
         foreach (string polarisation in new[] { "vv", "hh" })
             Assert.That(output, Does.Contain(string.Format(CultureInfo.InvariantCulture,
                 "{0} {1:0.00} dBsm, clutter {2:0.00} dBsm, signal to clutter - dB", polarisation.ToUpperInvariant(),
                 Number(row, $"sigma_{polarisation}_dbsm"), Number(row, $"sigma_clutter_{polarisation}_dbsm"))));
-        (_, output, _) = TestShell.Run("run", Scene, "--size", "192x108", "--clutter", "off");
+        (_, output, _) = TestShell.Run(["run", Scene, .. s_coarse, "--clutter", "off"]);
         Assert.That(output, Does.Not.Contain("dBsm"));
     }
 

@@ -19,6 +19,8 @@ public sealed class KernelCacheTests
     // Arithmetic, EntryPointsWide, TraceWideSingleInstance, RefineWide, and the four small ones between them.
     const int KernelsOfARun = 8;
 
+    const string Size = "96x54";
+
     static readonly string Scene = Path.Combine(Sources.Root, "Scenes/CornerReflector.unity");
 
     string _folder, _figures;
@@ -59,7 +61,8 @@ public sealed class KernelCacheTests
         string folder = Directory.CreateTempSubdirectory("glint-sweep-").FullName;
         try
         {
-            Start(_folder, "sweep", Scene, "--target", "Corner Reflector", "--angles", "1:3:1", "--size", "480x270", "--out", folder);
+            Start(_folder, "sweep", Scene, "--target", "Corner Reflector", "--angles", "1:3:1", "--size", Size,
+                "--out", folder);
         }
         finally
         {
@@ -103,7 +106,7 @@ public sealed class KernelCacheTests
 
     static string Run(string cache)
     {
-        string output = Start(cache, "run", Scene, "--size", "480x270");
+        string output = Start(cache, "run", Scene, "--size", Size);
         // Before the table Mesa may have printed that it has no folder for its cache.
         return output[output.IndexOf("  angle", StringComparison.Ordinal)..];
     }

@@ -39,7 +39,8 @@ public sealed class ScreenCommandTests
         _folder = Directory.CreateTempSubdirectory("glint-ppi-").FullName;
         _scene = Path.Combine(s_root, "Assets", $"Ppi{Guid.NewGuid():N}.unity");
         Write("    Spokes: 4096", "    Spokes: 1024", "    Cells: 1024", "    Cells: 100", "    Side: 1024",
-            "    Side: 96", "    RangeScale: 5556", "    RangeScale: 1000", "  _motion: 2", "  _motion: 0");
+            "    Side: 96", "    RangeScale: 5556", "    RangeScale: 2000", "    PulseNanoseconds: 80",
+            "    PulseNanoseconds: 160", "  _motion: 2", "  _motion: 0");
     }
 
     [TearDown]
@@ -97,9 +98,9 @@ public sealed class ScreenCommandTests
         Assert.That(detections, Is.Not.Empty);
         foreach (double[] detected in detections)
         {
-            int spoke = (int)Math.Round(detected[0] / 360 * 1024), cell = (int)(detected[1] / 10);
+            int spoke = (int)Math.Round(detected[0] / 360 * 1024), cell = (int)(detected[1] / 20);
             Assert.That(detected[2], Is.EqualTo(power[spoke * 100 + cell] - noise).Within(0.0051));
-            // Cells are 10 m, and a pulse of 80 ns covers two of them: two are guarded on each side, and of the cells behind
+            // Cells are 20 m, and a pulse of 160 ns covers two of them: two are guarded on each side, and of the cells behind
             // every other one is a reference.
             double[] around = Enumerable.Range(0, 100).Where(at => Math.Abs(at - cell) is > 2 and <= 34 && Math.Abs(at - cell) % 2 == 1)
                 .Select(at => Math.Pow(10, (power[spoke * 100 + at] - noise) / 10)).ToArray();
@@ -110,7 +111,7 @@ public sealed class ScreenCommandTests
         var run = JObject.Parse(File.ReadAllText(Path.Combine(_turn, "results.json")));
         Assert.That(NumpyReader.Read(arrays, "detected").Numbers, Has.Length.EqualTo(detections.Length));
         Assert.That((double)run["settings"]["false_alarm_rate"]["value"], Is.EqualTo(1e-4));
-        Assert.That((double)run["settings"]["range_scale"]["value"], Is.EqualTo(1000));
+        Assert.That((double)run["settings"]["range_scale"]["value"], Is.EqualTo(2000));
     }
 
     /// <summary>The report has the turn in bytes: levels over noise in steps that it names, and video; and the detections.</summary>
