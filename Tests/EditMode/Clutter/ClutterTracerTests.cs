@@ -8,6 +8,7 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>The diffuse echo that the device sums over facets, against sums and means in double precision.</summary>
+    [Category("Slow")]
     public sealed class ClutterTracerTests : ClutterFixture
     {
         const double TenGigahertz = 1e10;
@@ -34,7 +35,7 @@ namespace Glint.Tests
         }
 
         // Without breaking waves; the mean of two draws of a tile, and of opposite directions.
-        [Test, Category("Slow")]
+        [Test]
         [Timeout(600000)]
         public void Trace_OfASea_IsTheTwoScaleMean([Values(5, 18)] double wind)
         {
@@ -200,7 +201,7 @@ namespace Glint.Tests
 
         // Figures of another program with other random numbers: sigma0 of HH and VV with shadow and breaking waves and
         // without these, and the shapes in cells of 15 x 30 m, of VV without breaking waves and without gusts. The radar looks against the wind.
-        [Test, Category("Slow")]
+        [Test]
         [Timeout(600000)]
         public void Trace_AtGrazing_RepeatsTheMonteCarloOfFacets()
         {

@@ -8,6 +8,7 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>Cross sections of scenes that have a sea with a diffuse echo.</summary>
+    [Category("Slow")]
     public sealed class SeaCrossSectionTests : CrossSectionFixture
     {
         const double TenGigahertz = 1e10;

@@ -8,6 +8,7 @@ using NUnit.Framework;
 namespace Glint.Tests
 {
     /// <summary>Rows of runs over a band of materials that are no perfect conductors.</summary>
+    [Category("Slow")]
     public sealed class CrossSectionRunTests : CrossSectionFixture
     {
         const double Width = 0.3, Height = 0.2, TenGigahertz = 1e10;

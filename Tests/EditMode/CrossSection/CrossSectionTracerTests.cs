@@ -9,6 +9,7 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>Symmetries, closed forms and promises of the kernels' cross sections.</summary>
+    [Category("Slow")]
     public sealed class CrossSectionTracerTests : CrossSectionFixture
     {
         const double TenGigahertz = 1e10;

@@ -13,6 +13,7 @@ namespace Glint.Tests
     /// The narrow side face of a box, which the wave meets at grazing incidence after a mirror: its strip of the grid is far
     /// narrower than a cell, and its phase is constant along it. What the box returns has a closed form.
     /// </summary>
+    [Category("Slow")]
     public sealed class MirroredOutlineTests : CrossSectionFixture
     {
         const double Width = 0.4, Height = 0.5, TenGigahertz = 1e10, ToleranceDb = 0.1;

@@ -12,6 +12,7 @@ namespace Glint.Tests
     /// What mirrors show. A scene and its mirror image have the same VV and HH; their grids are not mirrored: what a cell misses
     /// differs.
     /// </summary>
+    [Category("Slow")]
     public sealed class MirroredSceneTests : CrossSectionFixture
     {
         const double Radius = 0.08, Turn = 20;

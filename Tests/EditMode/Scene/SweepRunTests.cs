@@ -12,6 +12,7 @@ using Object = UnityEngine.Object;
 namespace Glint.Tests
 {
     /// <summary>A sweep over a plate that turns in front of a wall, pose by pose.</summary>
+    [Category("Slow")]
     public sealed class SweepRunTests
     {
         GameObject _wall, _target, _camera;

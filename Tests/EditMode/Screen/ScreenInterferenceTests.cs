@@ -10,6 +10,7 @@ namespace Glint.Tests
     /// <summary>
     /// What a radar screen shows of other radars, of echoes that come after the next pulse, and of a blind sector.
     /// </summary>
+    [Category("Slow")]
     public sealed class ScreenInterferenceTests
     {
         const double LightSpeed = 299792458, NoiseDb = 15;

@@ -8,6 +8,7 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>The echo of a sea on the radar screen, and points that its waves hide.</summary>
+    [Category("Slow")]
     public sealed class ScreenSeaTests
     {
         const double Wind = 10, Range = 1000;

@@ -13,6 +13,7 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>glint bench with few rays: figures, files, refusals. Times are not tested.</summary>
+[Category("Slow")]
 public sealed class BenchTests
 {
     static readonly string[] Small =

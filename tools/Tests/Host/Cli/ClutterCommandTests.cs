@@ -12,6 +12,7 @@ using Unity.Mathematics;
 namespace Glint.Host.Tests;
 
 /// <summary>glint clutter: echo, models, level, moments, files, report, refusals. The stored sea has tiles of 64 m.</summary>
+[Category("Slow")]
 public sealed class ClutterCommandTests
 {
     const string Scene = "Scenes/SeaState5.unity";

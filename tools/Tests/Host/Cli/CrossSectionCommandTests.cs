@@ -15,6 +15,7 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>glint rcs: values of known targets, files, resumption, parts, refusals.</summary>
+[Category("Slow")]
 public sealed class CrossSectionCommandTests
 {
     // Metres and hertz.

@@ -13,6 +13,7 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>glint ppi: files, radar video, refusals. The scene is the sample with fewer spokes and cells.</summary>
+[Category("Slow")]
 public sealed class ScreenCommandTests
 {
     static readonly string s_root = Project.FindRoot(AppContext.BaseDirectory);
