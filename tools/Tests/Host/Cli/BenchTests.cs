@@ -120,19 +120,10 @@ public sealed class BenchTests
             Assert.That(text, Does.Contain(before));
             text = text.Replace(before, after);
         }
-        // A scene must be in the project.
-        string scene = Path.Combine(root, "Scenes", Path.GetRandomFileName() + ".unity");
-        File.WriteAllText(scene, text);
-        try
-        {
-            var (code, _, error) = TestShell.Run("bench", scene, "--clutter", "on", "--size", "96x54",
-                "--frequency", "1e9", "--rounds", "1", "--reference", "none", "--json", file);
-            Assert.That(code, Is.EqualTo(0), error);
-        }
-        finally
-        {
-            File.Delete(scene);
-        }
+        using var scene = new TemporaryScene(text);
+        var (code, _, error) = TestShell.Run("bench", scene.Path, "--clutter", "on", "--size", "96x54",
+            "--frequency", "1e9", "--rounds", "1", "--reference", "none", "--json", file);
+        Assert.That(code, Is.EqualTo(0), error);
         var row = JObject.Parse(File.ReadAllText(file))["clutter"].Single();
         Assert.That(row["facets"].ToObject<int>(), Is.EqualTo(2 * 16 * 16));
         Assert.That(row["lit_fraction"].ToObject<double>(), Is.GreaterThan(0).And.LessThanOrEqualTo(1));

@@ -202,24 +202,15 @@ public sealed class EchoPulsesTests : EchoFixture
         string scene = File.ReadAllText(Path.Combine(root, "Scenes/CrossSection.unity")),
             before = "  - component: {fileID: 141}\n";
         Assert.That(scene, Does.Contain(before));
-        // A scene must be in the project.
-        string moving = Path.Combine(root, "Scenes", Path.GetRandomFileName() + ".unity");
-        try
-        {
-            File.WriteAllText(moving, scene.Replace(before, before + "  - component: {fileID: 949}\n")
-                + "--- !u!114 &949\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n"
-                + "  m_CorrespondingSourceObject: {fileID: 0}\n"
-                + "  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n  m_GameObject: {fileID: 140}\n"
-                + "  m_Enabled: 1\n  m_EditorHideFlags: 0\n"
-                + $"  m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\n  m_Name: \n  m_EditorClassIdentifier: \n"
-                + "  _velocity: {x: 0, y: 0, z: -2}\n  _turnRates: {x: 0, y: 60, z: 0}\n");
-            Run(moving, "--bandwidth", "3e9", "--pulses", "16", "--polarisation", "hh", "--tolerance", "0.2",
-                "--material", "*=metal", "--out", At("echo"));
-        }
-        finally
-        {
-            File.Delete(moving);
-        }
+        using var moving = new TemporaryScene(scene.Replace(before, before + "  - component: {fileID: 949}\n")
+            + "--- !u!114 &949\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n"
+            + "  m_CorrespondingSourceObject: {fileID: 0}\n"
+            + "  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n  m_GameObject: {fileID: 140}\n"
+            + "  m_Enabled: 1\n  m_EditorHideFlags: 0\n"
+            + $"  m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\n  m_Name: \n  m_EditorClassIdentifier: \n"
+            + "  _velocity: {x: 0, y: 0, z: -2}\n  _turnRates: {x: 0, y: 60, z: 0}\n");
+        Run(moving.Path, "--bandwidth", "3e9", "--pulses", "16", "--polarisation", "hh", "--tolerance", "0.2",
+            "--material", "*=metal", "--out", At("echo"));
         var highest = Table("echo/doppler.csv").MaxBy(line => Number(line, "hh_dbsm"));
         Assert.That(Number(highest, "speed_mps"), Is.EqualTo(2).Within(Blind / 32));
         Assert.That(Number(highest, "range_m"), Is.EqualTo(0.15 / Math.Sqrt(2) - 2 * 7.5e-3).Within(0.01));

@@ -138,21 +138,12 @@ public sealed class CrossSectionTicksTests
             _ => line
         }).ToArray();
         Assert.That(before.Except(lines).Count(), Is.EqualTo(3));
-        // A scene must be in the project.
-        string file = Path.Combine(root, "Scenes", Path.GetRandomFileName() + ".unity");
-        try
-        {
-            File.WriteAllLines(file, before);
-            EditorSceneManager.OpenScene(file, OpenSceneMode.Single);
-            _radar = Object.FindFirstObjectByType<RadarCrossSection>();
-            Assert.That((_radar.Receiver, _radar.ReceiverAzimuth, _radar.ReceiverElevation, _radar.Range),
-                Is.EqualTo((expected, -30.5, 7.0, 0.0)));
-            Assert.That(_radar.Setup(new SceneGatherer()).Range, Is.EqualTo(double.PositiveInfinity));
-        }
-        finally
-        {
-            File.Delete(file);
-        }
+        using var scene = new TemporaryScene(string.Join("\n", before) + "\n");
+        EditorSceneManager.OpenScene(scene.Path, OpenSceneMode.Single);
+        _radar = Object.FindFirstObjectByType<RadarCrossSection>();
+        Assert.That((_radar.Receiver, _radar.ReceiverAzimuth, _radar.ReceiverElevation, _radar.Range),
+            Is.EqualTo((expected, -30.5, 7.0, 0.0)));
+        Assert.That(_radar.Setup(new SceneGatherer()).Range, Is.EqualTo(double.PositiveInfinity));
     }
 
     [Test]
