@@ -21,9 +21,9 @@ namespace Glint.Tests
         // Degrees to the wind; null: no swell.
         static readonly double?[] s_swells = { null, 0, 45, 90, 135 };
 
-        [TestCase(7, 1)]
+        [TestCase(7, 1, Category = "Stress")]
         [TestCase(10, 1)]
-        [TestCase(15, 0)]
+        [TestCase(15, 0, Category = "Stress")]
         [Timeout(600000)]
         public void ShapeVV_OverManySeas_IsWithinAFactorOfThree_ButForOneRowOfWeakWinds(double wind, int tooEven)
         {

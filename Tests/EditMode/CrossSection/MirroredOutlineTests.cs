@@ -23,27 +23,30 @@ namespace Glint.Tests
 
         static readonly RadarAspect s_radar = RadarAspect.At(25, 0);
 
-        [Test, Timeout(600000)]
-        public void Trace_OfABoxBeforeAMirror_IsWithinTheTolerance()
+        // m
+        [TestCase(0.003, Category = "Stress")]
+        [TestCase(0.01)]
+        [TestCase(0.03, Category = "Stress")]
+        [Timeout(600000)]
+        public void Trace_OfABoxBeforeAMirror_IsWithinTheTolerance(double thickness)
         {
             var excesses = new List<double>();
-            foreach (double thickness in new[] { 0.003, 0.01, 0.03 })
-                foreach (double turn in new[] { -20, -23, -26, -28, -29, -29.6 })
+            foreach (double turn in new[] { -20, -23, -26, -28, -29, -29.6 })
+            {
+                var result = Tracer.Trace(PoseOf(turn, thickness));
+                Assert.That(result.IsMet);
+                var expected = Expected(turn, thickness);
+                foreach (var polarisation in Polarisation.All)
                 {
-                    var result = Tracer.Trace(PoseOf(turn, thickness));
-                    Assert.That(result.IsMet);
-                    var expected = Expected(turn, thickness);
-                    foreach (var polarisation in Polarisation.All)
-                    {
-                        var s = polarisation.Of(expected);
-                        excesses.Add((polarisation.Of(result.S[0, 0]) - s).Magnitude / (CrossSectionAccuracy.AllowedBy(ToleranceDb)
-                            * CrossSectionAccuracy.ScaleOf(s, result.FloorDbsm)));
-                    }
+                    var s = polarisation.Of(expected);
+                    excesses.Add((polarisation.Of(result.S[0, 0]) - s).Magnitude / (CrossSectionAccuracy.AllowedBy(ToleranceDb)
+                        * CrossSectionAccuracy.ScaleOf(s, result.FloorDbsm)));
                 }
+            }
             int beyond = excesses.Count(excess => excess > 1);
             TestContext.WriteLine(FormattableString.Invariant(
                 $"{beyond} of {excesses.Count} above the tolerance, by up to {excesses.Max():0.00} times"));
-            // Without rays beside the images of outlines 16 of 72 were above it, by up to 57 times.
+            // Without rays beside the images of outlines 16 of 72, of the three thicknesses, were above it, by up to 57 times.
             Assert.That(beyond, Is.LessThanOrEqualTo(0.05 * excesses.Count));
             Assert.That(excesses.Max(), Is.LessThan(2));
         }

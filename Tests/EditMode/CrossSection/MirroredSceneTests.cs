@@ -24,8 +24,10 @@ namespace Glint.Tests
         // The slab mirrors the sphere. On the image of the sphere's limb it begins to look away from the radar: the corners of a
         // cell may meet it only where it does, and a strip of the cell is seen. While such corners counted as nothing, VV and HH
         // differed by 1.7 to 7.1 times what is allowed, now by 0.1 to 0.3 times.
-        [Test, Timeout(60000)]
-        public void Trace_OfASphereBeforeASlab_IsThatOfItsMirrorImage([Values(28, 34)] double azimuth)
+        [TestCase(28, Category = "Stress")]
+        [TestCase(34)]
+        [Timeout(60000)]
+        public void Trace_OfASphereBeforeASlab_IsThatOfItsMirrorImage(double azimuth)
         {
             var mesh = SphereBeforeSlab();
             var mirrored = new TriangleMesh(

@@ -51,7 +51,7 @@ namespace Glint.Tests
         /// <summary>
         /// Converged amplitudes by Reference/ReferenceAmplitude.cs, 3840 cells across: Documentation~/accuracy.md.
         /// </summary>
-        [TestCase(0, 51.33)]
+        [TestCase(0, 51.33, Category = "Stress")]
         [TestCase(23, 1.594)]
         [TestCase(28, 30.09)]
         [Timeout(600000)]
@@ -180,7 +180,7 @@ namespace Glint.Tests
 
         /// <summary>Bit for bit, whatever the slices.</summary>
         [TestCase(0, 0)]
-        [TestCase(50, 0)]
+        [TestCase(50, 0, Category = "Stress")]
         [TestCase(0, 1 << 13)]
         [Timeout(600000)]
         public void Trace_ManyPoses_GivesResultsOfSingleOnes(int rowsADispatch, int listCapacity)

@@ -335,7 +335,7 @@ namespace Glint.Tests
             using (var tracer = Tracer())
             {
                 long lowest = 0;
-                for (int i = 0; i < 20; i++)
+                for (int i = 0; i < 8; i++)
                 {
                     var mesh = TestRadar.Join(Scene, TestRadar.Clutter(200 + 31 * i % 97, seed: (uint)i));
                     var result = tracer.Trace(PoseOf(new RadarScene(mesh)), RayReadback.None);

@@ -26,7 +26,7 @@ namespace Glint.Tests
         }
 
         // The mean is that of the model, in the sea's state of the wind, against the wind; texture and shadows stay.
-        [TestCase(ClutterLevel.Nrl, 2, ScreenPolarisation.Vertical)]
+        [TestCase(ClutterLevel.Nrl, 2, ScreenPolarisation.Vertical, Category = "Stress")]
         [TestCase(ClutterLevel.Git, 5, ScreenPolarisation.Horizontal)]
         [Timeout(600000)]
         public void Clutter_OfAPublishedLevel_HasItsMean(ClutterLevel level, double grazing, ScreenPolarisation polarisation)

@@ -113,9 +113,9 @@ public sealed class ClutterCommandTests
     }
 
     /// <summary>The mean is the model's, also between the angles of its factors; the texture is that of the waves.</summary>
-    [TestCase("nrl", 11)]
+    [TestCase("nrl", 11, Category = "Stress")]
     [TestCase("git", 6)]
-    [TestCase("nathanson", 11)]
+    [TestCase("nathanson", 11, Category = "Stress")]
     public void Level_OfAModel_GivesItsMeanAndKeepsTheTexture(string name, int angles)
     {
         Run("--cell", "8", "--clutter", name, "--out", At("default"));

@@ -164,8 +164,9 @@ public sealed class EchoPulsesTests : EchoFixture
     }
 
     /// <summary>Noise alone: as many false alarms as asked for.</summary>
-    [Test]
-    public void FalseAlarms_InNoise_AreAsManyAsAskedFor([Values("ca", "os")] string level)
+    [TestCase("ca", Category = "Stress")]
+    [TestCase("os")]
+    public void FalseAlarms_InNoise_AreAsManyAsAskedFor(string level)
     {
         const double rate = 0.01;
         Run(At("plate.obj"), "--frequencies", "1024", "--tolerance", "10", "--edges", "off", "--bounces", "1", "--range", "1e5", "--power", "1e-12",

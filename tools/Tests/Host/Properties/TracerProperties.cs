@@ -20,7 +20,7 @@ public sealed class TracerProperties
     {
         using var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware);
         long rays = 0, received = 0, atEdge = 0;
-        ForAll(RandomScenes.Certain, 300, scene =>
+        ForAll(RandomScenes.Certain, 150, scene =>
         {
             var comparison = Compare(tracer, scene);
             rays += comparison.Rays;
@@ -37,7 +37,7 @@ public sealed class TracerProperties
     public void Trace_AnyScene_SumsDoNotDependOnDispatchesOrTheOrderOfInstances([Values] bool asSoftware)
     {
         using var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware);
-        ForAll(RandomScenes.Any, 150, scene =>
+        ForAll(RandomScenes.Any, 80, scene =>
         {
             tracer.TilesADispatch = 0;
             var once = Trace(tracer, scene);
