@@ -20,7 +20,7 @@ public sealed class EchoSeaTests : EchoFixture
     string _scene;
 
     [SetUp]
-    public void MakeScene() => _scene = Path.Combine(s_root, "Assets", $"EchoSea{Guid.NewGuid():N}.unity");
+    public void MakeScene() => _scene = Path.Combine(s_root, "Scenes", $"EchoSea{Guid.NewGuid():N}.unity");
 
     [TearDown]
     public void RemoveScene()
