@@ -25,13 +25,18 @@ def ring(x, y, radius, width):
 
 
 def line(points, width):
+    parts = [(ax, ay, bx - ax, by - ay, (bx - ax) ** 2 + (by - ay) ** 2) for (ax, ay), (bx, by) in zip(points, points[1:])]
+
     def distance(px, py):
         nearest = math.inf
-        for (ax, ay), (bx, by) in zip(points, points[1:]):
-            dx, dy = bx - ax, by - ay
-            t = max(0, min(1, ((px - ax) * dx + (py - ay) * dy) / (dx * dx + dy * dy)))
-            nearest = min(nearest, math.hypot(px - ax - t * dx, py - ay - t * dy))
-        return nearest - width / 2
+        for ax, ay, dx, dy, square in parts:
+            x, y = px - ax, py - ay
+            along = x * dx + y * dy
+            t = 0 if along <= 0 else 1 if along >= square else along / square
+            x -= t * dx
+            y -= t * dy
+            nearest = min(nearest, x * x + y * y)
+        return math.sqrt(nearest) - width / 2
     return distance
 
 
