@@ -34,11 +34,16 @@ namespace Glint.Tests
         }
 
         /// <summary>Before the scene's radar traces by itself: a quarter of the published rays.</summary>
-        public static void TraceAQuarter()
+        public static void TraceAQuarter() => SetRays(960, 540);
+
+        /// <summary>The same: a sixteenth.</summary>
+        public static void TraceASixteenth() => SetRays(480, 270);
+
+        static void SetRays(int across, int down)
         {
             var radar = Object.FindFirstObjectByType<RadarController>();
             var settings = radar.Settings;
-            (settings.RaysAcross, settings.RaysDown) = (960, 540);
+            (settings.RaysAcross, settings.RaysDown) = (across, down);
             radar.Settings = settings;
         }
 

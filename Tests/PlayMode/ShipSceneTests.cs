@@ -9,7 +9,7 @@ using UnityEngine.TestTools;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The ship alone in steps of 15 degrees, and on the stored seas in steps of 45, by a quarter of the published rays. The
+    /// The ship alone in steps of 15 degrees, and on the stored seas in steps of 45, by a sixteenth of the published rays. The
     /// published findings about its ship hold for this one.
     /// </summary>
     [Category("Slow")]
@@ -31,7 +31,7 @@ namespace Glint.Tests
         {
             yield return TraceFreeSpace();
             foreach (var (step, published) in new[] { (BowOn, 125508), (Broadside, 331864), (SternOn, 161522) })
-                Assert.That(4 * _freeSpace[step].RaysHit, Is.EqualTo(published).Within(15).Percent,
+                Assert.That(16 * _freeSpace[step].RaysHit, Is.EqualTo(published).Within(15).Percent,
                     $"{s_angles[step]} deg");
         }
 
@@ -53,7 +53,7 @@ namespace Glint.Tests
         public IEnumerator SeaState5_RaysOfTheShipAlone_AreThoseOfFreeSpace()
         {
             yield return TraceFreeSpace();
-            yield return PlayScene.Load("ShipSeaState5", PlayScene.TraceAQuarter);
+            yield return PlayScene.Load("ShipSeaState5", PlayScene.TraceASixteenth);
             var onSea = TraceOnSea();
             foreach (int step in s_stepsOnSea)
             {
@@ -78,7 +78,7 @@ namespace Glint.Tests
         public IEnumerator SeaState6_RaysReceived_AreMoreThanInFreeSpaceAtTwoThirdsOfTheAngles()
         {
             yield return TraceFreeSpace();
-            yield return PlayScene.Load("ShipSeaState6", PlayScene.TraceAQuarter);
+            yield return PlayScene.Load("ShipSeaState6", PlayScene.TraceASixteenth);
             var onSea = TraceOnSea();
             int more = s_stepsOnSea.Count(step => onSea[step].RaysReceived > _freeSpace[step].RaysReceived);
             Assert.That(more, Is.GreaterThanOrEqualTo(2 * s_stepsOnSea.Length / 3));
@@ -88,7 +88,7 @@ namespace Glint.Tests
         {
             if (_freeSpace != null)
                 yield break;
-            yield return PlayScene.Load("ShipFreeSpace", PlayScene.TraceAQuarter);
+            yield return PlayScene.Load("ShipFreeSpace", PlayScene.TraceASixteenth);
             _freeSpace = Trace(Enumerable.Range(0, s_angles.Length));
         }
 

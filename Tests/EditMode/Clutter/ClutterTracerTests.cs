@@ -35,25 +35,28 @@ namespace Glint.Tests
         }
 
         // Without breaking waves; the mean of two draws of a tile, and of opposite directions.
-        [TestCase(5, Category = "Stress")]
-        [TestCase(18)]
+        [TestCase(5, 0, Category = "Stress")]
+        [TestCase(5, 45, Category = "Stress")]
+        [TestCase(5, 90, Category = "Stress")]
+        [TestCase(18, 0)]
+        [TestCase(18, 45, Category = "Stress")]
+        [TestCase(18, 90)]
         [Timeout(600000)]
-        public void Trace_OfASea_IsTheTwoScaleMean(double wind)
+        public void Trace_OfASea_IsTheTwoScaleMean(double wind, double azimuth)
         {
             var seas = new[] { 1, 2 }.Select(seed => new TestSea(wind, 256, 256, 0, 0, seed)).ToArray();
             var clutter = seas[0].Clutter;
             var scattering = new SeaScattering(TenGigahertz, clutter.Water.At(TenGigahertz).permittivity,
                 clutter.ShortWaves.Spectrum.Density);
             var (along, across) = clutter.ShortWaves.SlopeVariances(1e-3, scattering.TiltCut);
-            foreach (double azimuth in new[] { 0, 45, 90.0 })
-                foreach (double grazing in new[] { 20, 45, 70.0 })
-                {
-                    var found = ClutterEcho.Sum(seas.SelectMany(sea => new[] { azimuth, azimuth + 180 }
-                        .SelectMany(side => Tracer.Trace(sea.Pose(side, grazing), TenGigahertz)))).Sigma0;
-                    var expected = scattering.TwoScaleMean(RadarAspect.At(azimuth, grazing).ToRadar, clutter.Wind,
-                        new double2(along, across));
-                    AssertNear(found, expected, 0.3, $"azimuth {azimuth}, grazing {grazing}");
-                }
+            foreach (double grazing in new[] { 20, 45, 70.0 })
+            {
+                var found = ClutterEcho.Sum(seas.SelectMany(sea => new[] { azimuth, azimuth + 180 }
+                    .SelectMany(side => Tracer.Trace(sea.Pose(side, grazing), TenGigahertz)))).Sigma0;
+                var expected = scattering.TwoScaleMean(RadarAspect.At(azimuth, grazing).ToRadar, clutter.Wind,
+                    new double2(along, across));
+                AssertNear(found, expected, 0.3, $"azimuth {azimuth}, grazing {grazing}");
+            }
         }
 
         // Far from the radar a facet counts for all of a group, here of 8 x 8 cells: sums stay the same within three

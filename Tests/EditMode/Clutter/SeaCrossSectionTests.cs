@@ -65,7 +65,7 @@ namespace Glint.Tests
         }
 
         // The mean of a published model, in both polarisations; the speckle is the same.
-        [TestCase(ClutterLevel.Nrl)]
+        [TestCase(ClutterLevel.Nrl, Category = "Stress")]
         [TestCase(ClutterLevel.Git)]
         public void Trace_AtAPublishedLevel_HasItsMean(ClutterLevel level)
         {

@@ -38,6 +38,7 @@ namespace Glint.Tests
         }
 
         [Test]
+        [Category("Stress")]
         [Timeout(600000)]
         public void Sea_AtXBand_IsNearNrl()
         {

@@ -109,7 +109,7 @@ namespace Glint.Tests
         }
 
         // Bounces between faces, what they hide, and edges.
-        [TestCase(true)]
+        [TestCase(true, Category = "Stress")]
         [TestCase(false)]
         public void Receivers_OfACorner_AreThoseOfTheReference(bool isDihedral)
         {

@@ -213,7 +213,7 @@ namespace Glint.Tests
             foreach (double degrees in new[] { 5.0, 33 })
             {
                 var coarse = _tracer.Trace(Pose(CornerReflector.Turned(degrees), CornerReflector.View, 1));
-                var fine = _tracer.Trace(Pose(CornerReflector.Turned(degrees), CornerReflector.View, 0.1));
+                var fine = _tracer.Trace(Pose(CornerReflector.Turned(degrees), CornerReflector.View, 0.2));
                 double error = (Normalised(coarse) - Normalised(fine)).Magnitude;
                 Assert.That(error, Is.LessThan(3 * coarse.SamplingError + fine.SamplingError), $"{degrees} deg");
                 Assert.That(coarse.Undersampled, Is.False);

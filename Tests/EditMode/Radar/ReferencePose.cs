@@ -86,7 +86,7 @@ namespace Glint.Tests
         /// <summary>Five scenes in several poses.</summary>
         public static IEnumerable<ReferencePose> Sample()
         {
-            const int poses = 8;
+            const int poses = 6;
             var settings = TestRadar.Settings();
             var random = new System.Random(4);
             double Next() => random.NextDouble();

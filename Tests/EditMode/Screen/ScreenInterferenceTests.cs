@@ -14,7 +14,7 @@ namespace Glint.Tests
     public sealed class ScreenInterferenceTests
     {
         const double LightSpeed = 299792458, NoiseDb = 15;
-        const int Spokes = 1024, Cells = 256;
+        const int Spokes = 1024, Cells = 64;
 
         // -30 dB at all bearings but the beam's.
         const string Table = EchoAntenna.TableHeader

@@ -10,14 +10,14 @@ namespace Glint.Tests
     [Category("Slow")]
     public sealed class ScreenTrailsTests
     {
-        // A turn takes 2.5 s, and has 25 frames.
-        const int Frames = 25;
-        const double Frame = 0.1, Section = 1e4;
+        // A turn takes 2.5 s, and has 10 frames.
+        const int Frames = 10;
+        const double Frame = 0.25, Section = 1e4;
 
         // Metres of a pixel of the map.
         const double Pixel = 6.25;
 
-        static readonly double3 s_reflector = new double3(800, ScreenBench.Height, 0);
+        static readonly double3 s_reflector = new double3(400, ScreenBench.Height, 0);
 
         // Half a cell, half a pixel and 10 dB of the beam are 1.5 pixels.
         const double Extent = 2;
@@ -45,7 +45,7 @@ namespace Glint.Tests
             }
         }
 
-        // 10 m/s to the north. The own ship is 100 pixels to the east and 300 to the south of the map's corner.
+        // 15 m/s to the north. The own ship is 100 pixels to the east and 300 to the south of the map's corner.
         [Test]
         public void TargetThatMoves_LeavesTheSameTrail_WhileTheOwnShipStandsStill()
         {
@@ -55,7 +55,7 @@ namespace Glint.Tests
                 using (var bench = MakeBench(motion))
                 {
                     Play(bench, 0, 3, _ => at,
-                        time => s_reflector + new double3(at.x, 0, at.y) + new double3(0, 0, 10 * time));
+                        time => s_reflector + new double3(at.x, 0, at.y) + new double3(0, 0, 15 * time));
                     return bench.Trails();
                 }
             }
@@ -106,7 +106,7 @@ namespace Glint.Tests
             {
                 Play(bench, 0, 0.5, _ => 0, _ => s_reflector);
                 bench.Points = new ScreenPoint[0];
-                bench.Position = new double2(1000, 0);
+                bench.Position = new double2(800, 0);
                 bench.Frame(190);
                 Assert.That(bench.Trails().Max(), Is.Zero);
                 Play(bench, 0.6, 1.5, _ => bench.Position, _ => s_reflector);
@@ -121,8 +121,8 @@ namespace Glint.Tests
         // Narrow beam and short pulse. Only the last 10 dB below the reflector's level are shown, far above the noise.
         static ScreenBench MakeBench(TrailMotion motion)
         {
-            var radar = ScreenBench.Small(4096, 512);
-            (radar.RangeScale, radar.BeamWidth, radar.PulseNanoseconds) = (480 * Pixel, 0.3, 20);
+            var radar = ScreenBench.Small(2048, 512);
+            (radar.RangeScale, radar.BeamWidth, radar.PulseNanoseconds) = (480 * Pixel, 0.6, 20);
             var bench = new ScreenBench(radar);
             double level = 20 * Math.Log10(bench.Geometry.PointOf(s_reflector,
                 new double3(0, ScreenBench.Height, 0), Section).Amplitude / ScreenGeometry.UnitsOfNoise);

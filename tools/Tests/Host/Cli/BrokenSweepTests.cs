@@ -17,7 +17,7 @@ public sealed class BrokenSweepTests
 {
     const int Poses = 24;
 
-    static readonly string[] s_sweep = ["--angles", "-3:2.75:0.25", "--fov", "2.3", "--size", "100x75"];
+    static readonly string[] s_sweep = ["--angles", "-3:2.75:0.25", "--fov", "2.3", "--size", "40x30"];
 
     string _folder;
 

@@ -34,11 +34,18 @@ public sealed class ScreenCommandTests
     [OneTimeTearDown]
     public void RemoveTurn() => Directory.Delete(_turn, true);
 
+    // A turn over a sea takes seconds.
     [SetUp]
-    public void MakeScene()
+    public void MakeSceneWithoutSea()
+    {
+        MakeScene();
+        Write("  _sea: {fileID: 302}", "  _sea: {fileID: 0}");
+    }
+
+    void MakeScene()
     {
         _folder = Directory.CreateTempSubdirectory("glint-ppi-").FullName;
-        _scene = Path.Combine(s_root, "Assets", $"Ppi{Guid.NewGuid():N}.unity");
+        _scene = Path.Combine(s_root, "Scenes", $"Ppi{Guid.NewGuid():N}.unity");
         Write("    Spokes: 4096", "    Spokes: 1024", "    Cells: 1024", "    Cells: 100", "    Side: 1024",
             "    Side: 96", "    RangeScale: 5556", "    RangeScale: 2000", "    PulseNanoseconds: 80",
             "    PulseNanoseconds: 160", "  _motion: 2", "  _motion: 0");

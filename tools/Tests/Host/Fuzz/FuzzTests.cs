@@ -21,7 +21,7 @@ namespace Glint.Host.Tests;
 [Category("Slow")]
 public sealed partial class FuzzTests
 {
-    const int StandardSeed = 1, StandardCases = 10000, MaxFindings = 50, HangSeconds = 60;
+    const int StandardSeed = 1, StandardCases = 5000, MaxFindings = 50, HangSeconds = 60;
     const long MaxBytes = 300_000_000;
     static readonly TimeSpan LongestCase = TimeSpan.FromSeconds(10);
 
