@@ -15,20 +15,6 @@ public sealed class EchoSeaTests : EchoFixture
 {
     const double Elevation = 40;
 
-    static readonly string s_root = Project.FindRoot(AppContext.BaseDirectory);
-
-    string _scene;
-
-    [SetUp]
-    public void MakeScene() => _scene = Path.Combine(s_root, "Scenes", $"EchoSea{Guid.NewGuid():N}.unity");
-
-    [TearDown]
-    public void RemoveScene()
-    {
-        File.Delete(_scene);
-        File.Delete(_scene + ".meta");
-    }
-
     /// <summary>
     /// The line of Bragg waves of k = 2 (2 pi / lambda) cos(elevation): w^2 = 9.81 k + 7.2e-5 k^3, and the speed
     /// w lambda / (4 pi). Against the wind they approach, along it they recede, across it half of the power goes each way.
@@ -38,10 +24,10 @@ public sealed class EchoSeaTests : EchoFixture
     [Test]
     public void DopplerLine_OfTheSea_IsThatOfTheBraggWaves()
     {
-        File.WriteAllText(_scene, Scene());
-        Run(_scene, "--azimuth", "0,90,180", "--elevation", $"{Elevation}", "--bandwidth", "30e6", "--frequencies", "4",
-            "--pulses", "64", "--prf", "50", "--polarisation", "vv", "--tolerance", "3", "--bounces", "1",
-            "--detect", "os", "--false-alarm", "1e-3", "--out", At("sea"));
+        using var scene = new TemporaryScene(Scene());
+        Run(scene.Path, "--azimuth", "0,90,180", "--elevation", $"{Elevation}", "--bandwidth", "30e6",
+            "--frequencies", "4", "--pulses", "64", "--prf", "50", "--polarisation", "vv", "--tolerance", "3",
+            "--bounces", "1", "--detect", "os", "--false-alarm", "1e-3", "--out", At("sea"));
         double wave = 4 * Math.PI / Wavelength * Math.Cos(Elevation * Math.PI / 180),
             line = Math.Sqrt(9.81 * wave + 7.2e-5 * Math.Pow(wave, 3)) * Wavelength / (4 * Math.PI);
         var table = Table("sea/doppler.csv").ToLookup(row => Number(row, "azimuth_deg"));
@@ -63,7 +49,8 @@ public sealed class EchoSeaTests : EchoFixture
     // The Sea of the sample alone, smaller and with other waves.
     static string Scene()
     {
-        string text = File.ReadAllText(Path.Combine(s_root, "Scenes", "HarbourApproach.unity"));
+        string root = Project.FindRoot(AppContext.BaseDirectory),
+            text = File.ReadAllText(Path.Combine(root, "Scenes/HarbourApproach.unity"));
         int from = text.IndexOf("--- !u!1 &300\n"), to = text.IndexOf("--- !u!1 &400\n");
         string sea = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n" + text[from..to]
             + "--- !u!1660057539 &9223372036854775807\nSceneRoots:\n  m_ObjectHideFlags: 0\n  m_Roots:\n"
