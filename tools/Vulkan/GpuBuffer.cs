@@ -15,6 +15,8 @@ public sealed unsafe class GpuBuffer : GpuResource
     {
         Bytes = bytes;
         _allocation = Allocation.ForKernels(device, bytes, map);
+        if (_allocation.IsZero)
+            return;
         if (_allocation.Mapped != null)
         {
             NativeMemory.Clear(_allocation.Mapped, (nuint)bytes);

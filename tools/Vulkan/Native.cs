@@ -16,6 +16,7 @@ static unsafe class Native
     // VkBufferUsageFlags
     internal const uint TransferSource = 1, TransferTarget = 2, UniformUsage = 16, StorageUsage = 32,
         IndirectUsage = 256;
+    internal const uint HostAllocation = 0x80;                              // VkExternalMemoryHandleTypeFlags
     internal const uint ImageStorageUsage = 8;                                          // VkImageUsageFlags
     internal const uint Image2D = 1, View2D = 1;                            // VkImageType, VkImageViewType
     internal const uint Rgba8 = 37;                                                     // VkFormat
@@ -29,7 +30,7 @@ static unsafe class Native
     internal const uint ComputeQueue = 2;                                               // VkQueueFlags
     internal const int TimestampQuery = 2;                                              // VkQueryType
     internal const uint Query64Bit = 1, QueryWait = 2;                                  // VkQueryResultFlags
-    internal const int NotReady = 1, Timeout = 2, DeviceLost = -4;                      // VkResult
+    internal const int NotReady = 1, Timeout = 2, OutOfHostMemory = -1, DeviceLost = -4; // VkResult
 
     [DllImport(Loader)]
     internal static extern int vkCreateInstance(InstanceCreateInfo* info, void* allocator, out nint instance);
@@ -45,8 +46,13 @@ static unsafe class Native
         ref uint count, QueueFamilyProperties* families);
 
     [DllImport(Loader)]
+    internal static extern int vkEnumerateDeviceExtensionProperties(nint physical, byte* layer,
+        ref uint count, ExtensionProperties* extensions);
+
+    [DllImport(Loader)]
     internal static extern int vkCreateDevice(nint physical, DeviceCreateInfo* info, void* allocator, out nint device);
     [DllImport(Loader)] internal static extern void vkDestroyDevice(nint device, void* allocator);
+    [DllImport(Loader)] internal static extern nint vkGetDeviceProcAddr(nint device, byte* name);
     [DllImport(Loader)] internal static extern int vkDeviceWaitIdle(nint device);
     [DllImport(Loader)]
     internal static extern void vkGetDeviceQueue(nint device, uint family, uint index, out nint queue);

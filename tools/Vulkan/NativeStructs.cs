@@ -19,7 +19,10 @@ static class StructureType
         DescriptorSetAllocateInfo = 34, WriteDescriptorSet = 35,
         CommandPoolCreateInfo = 39, CommandBufferAllocateInfo = 40,
         CommandBufferBeginInfo = 42, ImageMemoryBarrier = 45, MemoryBarrier = 46, PhysicalDeviceProperties2 = 1000059001,
+        ExternalMemoryBufferCreateInfo = 1000072000,
         PhysicalDeviceMaintenance3Properties = 1000168000,
+        ImportMemoryHostPointerInfo = 1000178000, MemoryHostPointerProperties = 1000178001,
+        PhysicalDeviceExternalMemoryHostProperties = 1000178002,
         PhysicalDeviceDriverProperties = 1000196000;
 }
 
@@ -75,6 +78,16 @@ unsafe struct Maintenance3Properties
     internal int SType; internal void* Next; internal uint MaxPerSetDescriptors; internal ulong MaxMemoryAllocationSize;
 }
 
+unsafe struct ExtensionProperties
+{
+    internal fixed byte Name[256]; internal uint Version;
+}
+
+unsafe struct ExternalMemoryHostProperties
+{
+    internal int SType; internal void* Next; internal ulong MinAlignment;
+}
+
 unsafe struct DriverProperties
 {
     internal int SType; internal void* Next; internal int DriverId; internal fixed byte Name[256],
@@ -112,6 +125,21 @@ struct MemoryRequirements
 unsafe struct MemoryAllocateInfo
 {
     internal int SType; internal void* Next; internal ulong Size; internal uint TypeIndex;
+}
+
+unsafe struct ImportMemoryHostPointerInfo
+{
+    internal int SType; internal void* Next; internal uint HandleType; internal void* Pointer;
+}
+
+unsafe struct MemoryHostPointerProperties
+{
+    internal int SType; internal void* Next; internal uint TypeBits;
+}
+
+unsafe struct ExternalMemoryBufferCreateInfo
+{
+    internal int SType; internal void* Next; internal uint HandleTypes;
 }
 
 unsafe struct BufferCreateInfo

@@ -8,6 +8,7 @@ sealed unsafe class PhysicalDevice
     const uint Vulkan12 = 1u << 22 | 2u << 12;
     static readonly string[] TypeNames = ["other", "integrated GPU", "discrete GPU", "virtual GPU", "CPU"];
     static readonly int[] Ranks = [4, 1, 0, 2, 3];
+    const int Cpu = 4; // of both
 
     readonly int _type;
 
@@ -20,6 +21,12 @@ sealed unsafe class PhysicalDevice
 
     /// <summary>Header of the device's pipeline cache data.</summary>
     internal byte[] PipelineCacheHeader { get; }
+
+    /// <summary>
+    /// Alignment of the <see cref="HostMemory"/> that it uses as its own; 0 if it does not. Only a device that is the
+    /// host's processor is asked: to others that memory is far.
+    /// </summary>
+    internal ulong HostMemoryAlignment { get; }
 
     /// <summary>First queue family that runs kernels; -1 if there is none.</summary>
     internal int QueueFamily { get; }
@@ -53,6 +60,7 @@ sealed unsafe class PhysicalDevice
                 memoryBytes = Math.Max(memoryBytes, (long)memory.HeapSize(heap));
 
         _type = properties.DeviceType >= 0 && properties.DeviceType < TypeNames.Length ? properties.DeviceType : 0;
+        HostMemoryAlignment = _type == Cpu ? HostMemory.AlignmentOn(handle) : 0;
         QueueFamily = FindQueueFamily(handle, out int timestampBits);
         string driverText = ApiVersion >= Vulkan12
             ? $"{Native.Text(driver.Name)} {Native.Text(driver.Info)}".Trim()

@@ -37,7 +37,16 @@ public sealed unsafe class VulkanDevice : IDisposable
         {
             SType = StructureType.DeviceCreateInfo, QueueInfoCount = 1, QueueInfos = &queueInfo
         };
-        VulkanException.Check(Native.vkCreateDevice(physical.Handle, &info, null, out _handle), open);
+        fixed (byte* name = HostMemory.Extension)
+        {
+            byte* extension = name;
+            if (physical.HostMemoryAlignment > 0)
+            {
+                info.ExtensionCount = 1;
+                info.Extensions = &extension;
+            }
+            VulkanException.Check(Native.vkCreateDevice(physical.Handle, &info, null, out _handle), open);
+        }
         Native.vkGetDeviceQueue(_handle, (uint)physical.QueueFamily, 0, out nint queue);
         try
         {
