@@ -346,6 +346,24 @@ namespace Glint.Tests
             }
         }
 
+        // The kernels' inputs belong to the shader, an asset that all radars of a scene share.
+        [TestCase(0, RayReadback.None)]
+        [TestCase(50, RayReadback.None)]
+        [TestCase(0, RayReadback.Received)]
+        public void Finish_AfterAnotherTracerHasTraced_IsThatOfThePose(int tilesADispatch, RayReadback readback)
+        {
+            using (RayTracer tracer = Tracer(), other = Tracer())
+            {
+                tracer.TilesADispatch = tilesADispatch;
+                var pose = PoseOf(new RadarScene(Scene));
+                var expected = tracer.Trace(pose, readback);
+                var inFlight = tracer.Start(pose, readback);
+                var elsewhere = TestRadar.LookAt(double3(9, 10, 11), double3(3, 0, 0), fov: 60);
+                other.Trace(new RadarPose(new RadarScene(TestRadar.Trihedral(0, 1)), s_settings, elsewhere), RayReadback.None);
+                AssertSame(tracer.Finish(inFlight), expected);
+            }
+        }
+
         [Test]
         public void Trace_Progress_RisesToOne()
         {

@@ -23,6 +23,9 @@ namespace Glint
         /// <summary>The read-back of the current slice; null if nothing is to be traced.</summary>
         public Readback Slice;
 
+        /// <summary>Number of the kernels' inputs that were set for it.</summary>
+        public int Inputs;
+
         /// <summary>Whether the slice has sub-rays of pixels that the device chose.</summary>
         public bool HasSubRays;
 

@@ -31,8 +31,6 @@ namespace Glint
         readonly DispatchPacer _pacer = new DispatchPacer();
         readonly List<PoseInFlight> _inFlight = new List<PoseInFlight>();
         readonly Stopwatch _clock = Stopwatch.StartNew();
-        // The pose whose work was dispatched last: only its lists are still on the device.
-        PoseInFlight _last;
         TimeSpan _lastFinished;
         bool _neededLists; // by the pose finished last, without rays kept
         ReceivedRayList _received = new ReceivedRayList();
@@ -108,7 +106,7 @@ namespace Glint
             DispatchPlan.Check(pose.Settings, readback, _owner);
             statistics ??= new TraceStatistics();
             statistics.Triangles = pose.Scene.TriangleCount;
-            _last = null; // the buffers of an earlier pose change
+            int inputs = ++_kernel.Inputs;
             SetScene(pose.Scene, statistics, cancel);
             using (s_trace.Auto())
             {
@@ -120,7 +118,7 @@ namespace Glint
                 var grid = new RayGrid(pose.Settings, pose.View, _scene.Min, _scene.Max);
                 var inFlight = new PoseInFlight
                 {
-                    Started = _clock.Elapsed,
+                    Started = _clock.Elapsed, Inputs = inputs,
                     Pose = pose, Readback = readback, Grid = grid, Sums = new ChannelSums(grid),
                     Rays = new RayReadbackBuffer(readback, pose.Settings, _owner),
                     Plan = UploadTiles(pose, readback, statistics), Statistics = statistics
@@ -130,7 +128,7 @@ namespace Glint
                 if (inFlight.Plan.Next())
                     Dispatch(inFlight);
                 _inFlight.Add(inFlight);
-                return _last = inFlight;
+                return inFlight;
             }
         }
 
@@ -153,7 +151,8 @@ namespace Glint
                     words = WordsOf(inFlight, inFlight.Slice);
                     bool needsLists = NeedsLists(inFlight, new WorkCounts(words));
                     _neededLists = needsLists && inFlight.Readback == RayReadback.None;
-                    if (needsLists && inFlight != _last)
+                    // Another pose, of any tracer, has set the kernels' inputs since.
+                    if (needsLists && inFlight.Inputs != _kernel.Inputs)
                         return Trace(pose, inFlight.Readback, progress, cancel, statistics);
                     inFlight.Plan.Traced(SecondsSince(inFlight.Dispatched));
                     words = AddSlice(inFlight, words, cancel);
@@ -210,8 +209,8 @@ namespace Glint
                     throw new GlintException($"{_owner}: there is no pixel {pixel} in a picture of "
                         + $"{settings.RaysAcross} x {settings.RaysDown} rays: "
                         + "pixels count from 0, row by row");
+            _kernel.Inputs++;
             SetScene(pose.Scene, new TraceStatistics(), cancel);
-            _last = null; // the uniforms of an earlier pose change
             var grid = new RayGrid(settings, pose.View, _scene.Min, _scene.Max);
             _kernel.SetRadar(settings, pose.View, grid, pose.Scene.Origin, 0, Culling & ~Culling.EntryPoints);
             return _paths.Follow(pose, grid, pixels, progress, cancel);
@@ -222,7 +221,6 @@ namespace Glint
         {
             Wait();
             _inFlight.Clear();
-            _last = null;
             _paths.Dispose();
             _slices.Dispose();
             _output.Dispose();

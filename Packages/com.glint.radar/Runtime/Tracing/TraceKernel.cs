@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -14,7 +15,12 @@ namespace Glint
         /// <summary>Maximum tiles of one dispatch, by the limit of thread groups.</summary>
         public const int MaxTiles = 65535 * GroupsARow;
 
+        // By Trace.compute: how often its inputs were set.
+        static readonly ConditionalWeakTable<ComputeShader, StrongBox<int>> s_settings =
+            new ConditionalWeakTable<ComputeShader, StrongBox<int>>();
+
         readonly ComputeShader _shader;
+        readonly StrongBox<int> _settings;
         readonly string _name;
         readonly string _refineName;
         readonly int _entryPointsKernel, _pathsKernel;
@@ -30,6 +36,7 @@ namespace Glint
         {
             DeviceCheck.Require(shader, "Trace", "Trace", owner);
             IsWide = isWide;
+            _settings = s_settings.GetOrCreateValue(shader);
             _shader = isWide ? SoftwareDevice.WideShader : shader;
             if (_shader == null)
                 throw new InvalidOperationException("the wide kernels are not there: only the headless host has them");
@@ -42,6 +49,16 @@ namespace Glint
             _pathsKernel = _shader.FindKernel("Paths" + suffix);
             DeviceCheck.RequireSupported(_shader, _kernel, _entryPointsKernel, _refineKernel, _pathsKernel);
             DeviceArithmetic.Check(shader);
+        }
+
+        /// <summary>
+        /// Number of the kernels' inputs. They belong to the shader, an asset that tracers share: whoever is about to set
+        /// them counts up, and those of a pose are set while the number is that of its own.
+        /// </summary>
+        public int Inputs
+        {
+            get => _settings.Value;
+            set => _settings.Value = value;
         }
 
         /// <summary>Whether the kernels are those for software devices.</summary>
