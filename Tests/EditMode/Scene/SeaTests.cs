@@ -41,6 +41,16 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Layer_Changed_IsThatOfTheTilesToo()
+        {
+            Rebuild(64, 64);
+            _sea.gameObject.layer = 4;
+            _sea.Rebuild();
+            var shown = _sea.GetComponentsInChildren<MeshRenderer>().Where(renderer => renderer.enabled);
+            Assert.That(shown.Select(renderer => renderer.gameObject.layer), Is.EqualTo(new[] { 4, 4, 4, 4 }));
+        }
+
+        [Test]
         public void Extent_Large_IsInstancesOfOneMesh()
         {
             Rebuild(1024, 1024);

@@ -94,6 +94,7 @@ namespace Glint
 
         readonly SceneGatherer _gatherer = new SceneGatherer();
         readonly HashSet<string> _warned = new HashSet<string>();
+        PlayWatch _play;
         RayTracer _tracer;
         AmplitudeTracer _amplitudes;
         CrossSectionTracer _crossSections; // of scenes with a sea that has clutter
@@ -561,9 +562,13 @@ namespace Glint
         // default references of this script.
         void Reset() => _receiver = transform.Find(MeshFileScene.ReceiverName);
 
-        void Start()
+        void Start() => TraceOnPlay();
+
+        void Update() => TraceOnPlay();
+
+        void TraceOnPlay()
         {
-            if (!Application.IsPlaying(gameObject))
+            if (!_play.Begins(this))
                 return;
             try
             {
@@ -580,6 +585,8 @@ namespace Glint
                 Debug.LogError(problem.Message, this);
             }
         }
+
+        void OnEnable() => _play.Enable(this);
 
         void OnDisable() => Release();
 

@@ -87,6 +87,7 @@ namespace Glint
 
         readonly LogProgress _progress = new LogProgress();
         readonly List<CrossSectionRow> _rows = new List<CrossSectionRow>();
+        PlayWatch _play;
         CrossSectionRun _run;
 
         /// <summary>The object, with all below it; null: everything in the loaded scenes.</summary>
@@ -176,7 +177,7 @@ namespace Glint
         /// <summary>Name in messages.</summary>
         public string Subject => $"RadarCrossSection of '{name}'";
 
-        string SceneName => string.IsNullOrEmpty(gameObject.scene.name) ? "Untitled" : gameObject.scene.name;
+        string SceneName => RunDescription.SceneOf(this);
 
         /// <summary>The rows to compute.</summary>
         /// <exception cref="GlintException">A list is malformed, or there are too many rows.</exception>
@@ -278,16 +279,21 @@ namespace Glint
         // script.
         void Reset() => _target = GetComponentInChildren<MeshFilter>(true) != null ? transform : null;
 
-        void Start()
-        {
-            if (_runOnStart && Application.IsPlaying(gameObject))
-                Run();
-        }
+        void OnEnable() => _play.Enable(this);
+
+        void Start() => RunOnPlay();
 
         void Update()
         {
+            RunOnPlay();
             if (IsRunning && Application.IsPlaying(gameObject))
                 Step();
+        }
+
+        void RunOnPlay()
+        {
+            if (_play.Begins(this) && _runOnStart)
+                Run();
         }
 
         void OnDisable() => End();

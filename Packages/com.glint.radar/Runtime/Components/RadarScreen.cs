@@ -319,7 +319,7 @@ namespace Glint
 
         void Update()
         {
-            if (!Application.isPlaying || _hasFailed && !_isStale)
+            if (!Application.IsPlaying(gameObject) || _hasFailed && !_isStale)
                 return;
             try
             {
@@ -474,7 +474,7 @@ namespace Glint
             for (int i = 0; i < reflectors.Count; i++)
             {
                 var position = FromWorld(reflectors[i].transform.position);
-                if (_tracer.IsTraced(_tracer.Geometry.SpokeOf(position - antenna)))
+                if (IsBeside(reflectors[i]) && _tracer.IsTraced(_tracer.Geometry.SpokeOf(position - antenna)))
                     _points[count++] = _tracer.Geometry.PointOf(position, antenna, reflectors[i].CrossSection);
             }
             return count;
@@ -486,10 +486,16 @@ namespace Glint
             if (_others.Length < others.Count)
                 _others = new OtherRadar[2 * others.Count];
             var antenna = FromWorld(transform.position);
+            int count = 0;
             for (int i = 0; i < others.Count; i++)
-                _others[i] = others[i].Seen(FromWorld(others[i].transform.position) - antenna, antenna.y);
-            _tracer.SetOtherRadars(_others, others.Count);
+                if (IsBeside(others[i]))
+                    _others[count++] = others[i].Seen(FromWorld(others[i].transform.position) - antenna, antenna.y);
+            _tracer.SetOtherRadars(_others, count);
         }
+
+        // A prefab that is open for editing while the scene plays is no part of it.
+        bool IsBeside(Component other) =>
+            Application.IsPlaying(other.gameObject) == Application.IsPlaying(gameObject);
 
         // Position with north as +Z and the sea at 0.
         double3 FromWorld(Vector3 position)

@@ -178,10 +178,14 @@ namespace Glint
 
         string Subject => $"Sea of '{name}'";
 
-        /// <summary>Updates the tiles to the current settings.</summary>
+        /// <summary>
+        /// Updates the tiles to the current settings. A prefab asset has none: they would lie in the open scene.
+        /// </summary>
         /// <exception cref="GlintException">A setting is out of its range, or a snapshot is missing.</exception>
         public void Rebuild()
         {
+            if (!gameObject.scene.IsValid())
+                return;
             _isStale = false;
             // before anything is refused: an error is reported once, until the centre or a setting changes
             _localCentre = LocalCentre();
@@ -348,9 +352,9 @@ namespace Glint
 
         void Update()
         {
-            if (Application.isPlaying)
+            if (Application.IsPlaying(gameObject))
                 Move();
-            if (_isStale || LocalCentre() != _localCentre)
+            if (_isStale || LocalCentre() != _localCentre || gameObject.layer != _tiles.Layer)
                 Attempt();
         }
 

@@ -156,7 +156,7 @@ namespace Glint
             if (_radar == null)
                 _radar = SceneSearch.FindRadar(Searcher);
             var sea = FindSea();
-            string scene = gameObject.scene.name;
+            string scene = RunDescription.SceneOf(this);
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder)
                 ? RunDescription.DefaultFolder(scene)
                 : RunDescription.InProject(_outputFolder));

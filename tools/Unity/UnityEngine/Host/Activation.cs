@@ -48,7 +48,10 @@ internal static class Activation
             if (root.ActiveCached)
                 Deactivate(root);
             foreach (MonoBehaviour behaviour in root.Node.Descendants().SelectMany(Behaviours))
-                behaviour.Forget();
+            {
+                if (Engine.ReloadsScenes || !Messages.Of(behaviour.GetType()).RunsInEditMode)
+                    behaviour.Forget();
+            }
         }
         Awaken(roots);
     }

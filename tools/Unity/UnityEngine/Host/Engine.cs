@@ -40,6 +40,11 @@ public static class Engine
         SceneLoads.Load(SceneLoads.BuildScenes[0], LoadSceneMode.Single);
     }
 
+    /// <summary>
+    /// Whether Play reloads the scenes, a setting of Unity's editor. Else scripts that ran in edit mode are not started again.
+    /// </summary>
+    internal static bool ReloadsScenes { get; set; } = true;
+
     /// <summary>Reloads the open scenes as play mode does and wakes them.</summary>
     public static void EnterPlayMode()
     {
@@ -107,6 +112,7 @@ public static class Engine
     {
         ExitPlayMode();
         SceneRegistry.Clear();
+        ReloadsScenes = true;
         QuitCode = null;
         PlayModeRequest = null;
     }

@@ -113,13 +113,15 @@ internal static class SceneRegistry
             node.Owner.SceneData = scene;
     }
 
-    /// <summary>Enters play mode: scenes with a file are reloaded, and objects of the others wake unchanged.</summary>
+    /// <summary>
+    /// Enters play mode: scenes with a file are reloaded if Play does that, and objects of the others wake unchanged.
+    /// </summary>
     internal static void Reload()
     {
         _editModePaths = _scenes.Select(scene => scene.Path).Where(path => path.Length > 0).ToArray();
         foreach (SceneData scene in _scenes.ToArray())
         {
-            if (scene.Path.Length == 0)
+            if (scene.Path.Length == 0 || !Engine.ReloadsScenes)
             {
                 Activation.Rewake(scene.Roots.Select(root => root.Owner).ToList());
                 continue;
