@@ -119,17 +119,17 @@ void Sign(inout TubePath tube, uint value)
     tube.Signature = Mixed(tube.Signature, value);
 }
 
-// Caustic lines that the tube passes over a distance: roots of its section, a quadratic function of the distance.
+// Caustic lines that the tube passes over a distance: roots of its section, a quadratic function of the distance. Both are
+// real, as wavefronts have two radii of curvature; rounding can hide that where they are the same, at a focus.
 uint CausticsWithin(TubePath tube, float distance)
 {
     float3 d = tube.Path.Ray.Direction;
     float a = Section(tube.DirectionU, tube.DirectionV, d);
     float b = Section(tube.PlaceU, tube.DirectionV, d) + Section(tube.DirectionU, tube.PlaceV, d);
     float c = Section(tube.PlaceU, tube.PlaceV, d);
-    float root = b * b - 4.0 * a * c;
-    if (root <= 0.0 || a == 0.0 && b == 0.0)
+    if (a == 0.0 && b == 0.0)
         return 0;
-    float q = -0.5 * (b + (b < 0.0 ? -sqrt(root) : sqrt(root)));
+    float root = sqrt(max(b * b - 4.0 * a * c, 0.0)), q = -0.5 * (b + (b < 0.0 ? -root : root));
     float first = c / q, second = a == 0.0 ? -1.0 : q / a;
     return (first > 0.0 && first < distance ? 1 : 0) + (second > 0.0 && second < distance ? 1 : 0);
 }

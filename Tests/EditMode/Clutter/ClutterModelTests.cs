@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
+using Unity.Mathematics;
 
 namespace Glint.Tests
 {
@@ -121,6 +122,22 @@ namespace Glint.Tests
         [Test]
         public void WaveHeightOfWind_IsTheReports() =>
             Assert.That(SeaStateFits.WaveHeightOfWind(10), Is.EqualTo(0.00724 * Math.Pow(10, 2.5)).Within(0.1).Percent);
+
+        // JONSWAP without a peak, alpha / 2 k^-3 exp(-1.25 (peak / k)^2), has the variance alpha / (5 peak^2).
+        [TestCase(1e4)]
+        [TestCase(1e5)]
+        public void SeaState_OfALimitedFetch_IsThatOfTheSpectrumsHeight(double fetch)
+        {
+            const double wind = 10, gravity = 9.81;
+            double alpha = 0.076 * Math.Pow(wind * wind / (fetch * gravity), 0.22),
+                frequency = 22 * Math.Pow(gravity * gravity / (wind * fetch), 1.0 / 3), peak = frequency * frequency / gravity,
+                height = 4 * Math.Sqrt(alpha / 5) / peak;
+            var waves = SeaSettings.Default;
+            (waves.Kind, waves.WindSpeed, waves.Fetch, waves.PeakEnhancement, waves.SignificantWaveHeight) =
+                (SeaSpectrumKind.Jonswap, wind, fetch, 1, 0);
+            var clutter = new SeaClutter(new SeaSurface(waves), 0, new double3(0, 0, 1), SeaClutterSettings.On);
+            Assert.That(clutter.SeaState, Is.EqualTo(SeaStateFits.OfWaveHeight(height)).Within(0.1).Percent);
+        }
 
         [Test]
         public void SeaState_OutOfRange_IsRefused()

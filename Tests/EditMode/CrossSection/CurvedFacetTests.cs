@@ -52,6 +52,38 @@ namespace Glint.Tests
             Assert.That((result.S[0, 0].HH - expected.HH).Magnitude, Is.LessThan(allowed));
         }
 
+        // A dish along its axis: all rays pass its focus, where both caustics are one, before they meet a wall and the dish again.
+        [Test, Timeout(60000)]
+        public void Trace_OfADishAndAWallBeyondItsFocus_IsThatOfTheReferenceTracer()
+        {
+            const double focus = 0.25, radius = 0.25, toWall = 1.3 * focus, wall = 0.08;
+            var radar = RadarAspect.At(30, 20);
+            float3 At(double u, double v, double height) => (float3)(u * radar.Right + v * radar.Up + height * radar.ToRadar);
+            var dish = Grid(24, radius, (u, v) => At(u, v, (u * u + v * v) / (4 * focus)));
+            var scene = new RadarScene(TestRadar.Join(dish, Grid(1, wall, (u, v) => At(u, v, toWall))));
+            var pose = PoseOf(scene, 30, 20, 0.05);
+            (pose.OnlyBounce, pose.HasEdges, pose.Frequencies) = (3, false, new[] { 3e9 });
+            var result = Tracer.Trace(pose).S[0, 0];
+            var expected = new ReferenceCrossSection(scene).Compute(pose, TubeSettings.Default)[0, 0];
+            Assert.That((result.VV - expected.VV).Magnitude, Is.LessThan(0.02 * expected.VV.Magnitude));
+            Assert.That((result.HH - expected.HH).Magnitude, Is.LessThan(0.02 * expected.HH.Magnitude));
+        }
+
+        // A square of cells about the origin, half a side wide.
+        static TriangleMesh Grid(int cells, double half, Func<double, double, float3> at)
+        {
+            var vertices = new float3[(cells + 1) * (cells + 1)];
+            for (int i = 0; i < vertices.Length; i++)
+                vertices[i] = at(half * (2.0 * (i % (cells + 1)) / cells - 1), half * (2.0 * (i / (cells + 1)) / cells - 1));
+            var indices = new int[6 * cells * cells];
+            for (int i = 0; i < cells * cells; i++)
+            {
+                int first = i / cells * (cells + 1) + i % cells, above = first + cells + 1;
+                new[] { first, above, first + 1, first + 1, above, above + 1 }.CopyTo(indices, 6 * i);
+            }
+            return new TriangleMesh(vertices, indices);
+        }
+
         // Rays that meet a facet of a sphere: their way to the sphere itself is a root.
         [Test]
         public void LeadOf_RaysThatMeetASphere_IsTheirWayToIt()

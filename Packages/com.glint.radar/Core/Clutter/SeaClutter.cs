@@ -28,6 +28,7 @@ namespace Glint.Core
         readonly Lazy<bool[]> _breakingFacets;
         readonly Lazy<double3[]> _facetVelocities;
         readonly Lazy<double[]> _logWinds;
+        readonly Lazy<double> _waveHeight;
 
         /// <summary>The echo of a sea.</summary>
         /// <param name="longWaves">The waves of its mesh.</param>
@@ -54,6 +55,7 @@ namespace Glint.Core
             Surface = other?.Surface ?? new SurfaceMaterial("sea water", null, Water, ShortWaves.Height);
             BreakingFraction = new WhitecapLaw(settings.WhitecapCoefficient).Fraction(ShortWaves.Wind);
             _tables = other?._tables ?? new Dictionary<double, FacetTable>();
+            _waveHeight = other?._waveHeight ?? new Lazy<double>(FindWaveHeight);
             _breakingFacets = new Lazy<bool[]>(FindBreakingFacets);
             _facetVelocities = new Lazy<double3[]>(FindFacetVelocities);
             _logWinds = new Lazy<double[]>(() =>
@@ -134,11 +136,10 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Douglas sea state, by the requested height of the waves, or by the wind if none is requested. Above 6 no
-        /// published model holds.
+        /// Douglas sea state, by the requested height of the waves. If none is requested, by the height that the spectrum
+        /// has with a limited fetch, or that the wind raises. Above 6 no published model holds.
         /// </summary>
-        public double SeaState => SeaStateFits.OfAnyHeight(LongWaves.Settings.SignificantWaveHeight > 0
-            ? LongWaves.Settings.SignificantWaveHeight : SeaStateFits.WaveHeightOfWind(ShortWaves.Wind));
+        public double SeaState => SeaStateFits.OfAnyHeight(_waveHeight.Value);
 
         /// <summary>What published models are asked for.</summary>
         /// <param name="frequency">Hz.</param>
@@ -202,6 +203,16 @@ namespace Glint.Core
             var (resolved, covariance) = LongWaves.FacetSlopeVariances();
             return new FacetTable(scattering, resolved, math.max(0, all - resolved), -covariance,
                 ShortWaves.WindExponent);
+        }
+
+        double FindWaveHeight()
+        {
+            var waves = LongWaves.Settings;
+            if (waves.SignificantWaveHeight > 0)
+                return waves.SignificantWaveHeight;
+            bool isLimited = waves.Kind == SeaSpectrumKind.Jonswap
+                || waves.Kind == SeaSpectrumKind.Elfouhaily && waves.Fetch > 0;
+            return isLimited ? SeaSpectrum.SignificantHeight(waves) : SeaStateFits.WaveHeightOfWind(ShortWaves.Wind);
         }
 
         double3[] FindFacetVelocities()

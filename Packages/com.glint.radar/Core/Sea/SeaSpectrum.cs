@@ -12,6 +12,10 @@ namespace Glint.Core
         /// <summary>Gravity, rounded as in the sources of the spectra, m/s2.</summary>
         public const double Gravity = 9.81;
 
+        // Of the integral of a height: its wave numbers, rad/m, outside of which nothing counts, and midpoints in equal ratios.
+        const double LongestWave = 1e-3, ShortestWave = 1e3;
+        const int HeightSteps = 1000;
+
         /// <summary>
         /// Density at wave number k (rad/m) and the cosine of the angle from the wind.
         /// The constant of the Phillips spectrum is 1.
@@ -69,6 +73,21 @@ namespace Glint.Core
                 case SeaSpectrumKind.Jonswap: return Jonswap(settings, k);
                 default: return new Elfouhaily(settings.WindSpeed, settings.Fetch).Omnidirectional(k);
             }
+        }
+
+        /// <summary>
+        /// Significant height in metres of the waves of all lengths, also those that a tile does not hold: four times the
+        /// root of the variance. Not of the Phillips spectrum, whose constant is 1.
+        /// </summary>
+        public static double SignificantHeight(in SeaSettings settings)
+        {
+            double width = PortableMath.Log(ShortestWave / LongestWave) / HeightSteps, variance = 0;
+            for (int i = 0; i < HeightSteps; i++)
+            {
+                double waveNumber = LongestWave * PortableMath.Exp((i + 0.5) * width);
+                variance += waveNumber * width * Omnidirectional(settings, waveNumber);
+            }
+            return 4 * Math.Sqrt(variance);
         }
 
         // Pierson and Moskowitz 1964, with the wind at 19.5 m.

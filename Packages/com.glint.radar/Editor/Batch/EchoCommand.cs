@@ -35,6 +35,7 @@ namespace Glint.Editor
                 RequireInBeam(antenna, setup, opened.name);
             RequireMatlab(settings, plan);
             Describe(settings.BandOf(plan), reach, opened.name, progress);
+            WarnOfFacets(settings.BandOf(plan), plan, opened.scene, opened.name);
             if (plan.Pulses != null)
                 DescribePulses(settings.BandOf(plan), plan, opened.scene, opened.name, progress);
             bool isImage = line.Command == Commands.Isar;
@@ -83,11 +84,26 @@ namespace Glint.Editor
                 scene.Instances[i].Motion = motion;
         }
 
+        // A facet of a sea answers from its middle, whatever the frequency.
+        static void WarnOfFacets(FrequencyBand band, CrossSectionPlan plan, RadarScene scene, string name)
+        {
+            double cosine = Enumerable.Range(0, plan.Poses)
+                .Max(pose => Math.Cos(math.radians(plan[pose * (plan.Count / plan.Poses)].ElevationDegrees)));
+            foreach (var waves in scene.Seas.Select(sea => sea.Clutter.LongWaves.Settings))
+            {
+                double along = waves.TileSize / waves.Cells * cosine;
+                if (along > band.RangeResolution)
+                    Debug.LogWarning(FormattableString.Invariant(
+                        $"{name}: a facet of the sea takes {along:g3} m along the line of sight and answers from its middle, and a range bin is {band.RangeResolution:g4} m: the mean of the sea's echo has peaks and gaps over range; give the sea at least {Math.Ceiling(waves.TileSize * cosine / band.RangeResolution)} Cells, or {EchoOptions.Bandwidth.Flag} of at most {Math.Floor(Signal.SpeedOfLight / (2e6 * along))}e6"));
+            }
+        }
+
         static void DescribePulses(FrequencyBand band, CrossSectionPlan plan, RadarScene scene, string name,
             IProgressSink progress)
         {
             var pulses = plan.Pulses;
-            double blind = pulses.BlindSpeed(band.Centre), fastest = FastestOf(plan, scene);
+            double blind = pulses.BlindSpeed(band.Centre),
+                fastest = Math.Max(FastestOf(plan, scene), FastestOfSeas(scene, band.Centre));
             progress.Print(FormattableString.Invariant(
                 $"{pulses.Count} pulses at {pulses.RepetitionFrequency:g6} Hz, speed bin {pulses.SpeedResolution(band.Centre):g4} m/s, blind speed {blind:g4} m/s"));
             if (!scene.IsMoving && scene.Seas.Count == 0)
@@ -114,6 +130,14 @@ namespace Glint.Editor
                 }
             }
             return fastest;
+        }
+
+        // Of the water of facets, in any direction, and the Bragg waves on it.
+        static double FastestOfSeas(RadarScene scene, double frequency)
+        {
+            double bragg = 4 * Math.PI / Signal.Wavelength(frequency);
+            return scene.Seas.Count == 0 ? 0 : ClutterMotion.AngularFrequency(bragg) / bragg
+                + scene.Seas.SelectMany(sea => sea.Clutter.FacetVelocities).Max(velocity => math.length(velocity));
         }
 
         static IsarSettings ImageOf(CommandLine line, CrossSectionSetup setup, string name, IProgressSink progress)

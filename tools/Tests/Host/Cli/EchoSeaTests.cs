@@ -41,6 +41,20 @@ public sealed class EchoSeaTests : EchoFixture
         Assert.That(File.ReadLines(At("sea/detections.csv")).First(), Does.EndWith("speed_mps,level_dbsm"));
     }
 
+    // Facets of 0.5 m, 0.383 m along the line of sight; Bragg waves of 0.2 m/s.
+    [Test]
+    public void Run_OfFacetsLargerThanARangeBin_AndBlindToTheSea_SaysSo()
+    {
+        using var scene = new TemporaryScene(Scene());
+        var (code, _, error) = Execute(scene.Path, "--azimuth", "0", "--elevation", $"{Elevation}", "--bandwidth", "600e6",
+            "--frequencies", "4", "--pulses", "2", "--prf", "5", "--polarisation", "vv", "--tolerance", "3",
+            "--bounces", "1", "--out", At("sea"));
+        Assert.That(code, Is.Zero, error);
+        Assert.That(error, Does.Contain("a facet of the sea takes 0.383 m along the line of sight and answers from its middle, "
+            + "and a range bin is 0.2498 m").And.Contain("at least 50 Cells, or --bandwidth of at most 391e6"));
+        Assert.That(error, Does.Match(@"up to 0\.2\d* m/s along the line of sight.* 0\.03747 m/s, are folded"));
+    }
+
     static double MeanSpeed(IEnumerable<Dictionary<string, string>> rows) =>
         rows.Sum(row => Power(row) * Number(row, "speed_mps")) / rows.Sum(Power);
 

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Glint.Vulkan;
 using NUnit.Framework;
 
 namespace Glint.Host.Tests;
@@ -33,6 +34,23 @@ public sealed partial class ShaderSourceTests
     }
 
     /// <summary>FXC takes !(a &lt;= b) for b &lt; a, also for NaN, without a warning.</summary>
+    // FXC takes more, a device of Direct3D 11 does not.
+    [TestCase("Trace.compute")]
+    [TestCase("Tubes.compute")]
+    [TestCase("Amplitude.compute")]
+    [TestCase("Screen.compute")]
+    [TestCase("SeaField.compute")]
+    [TestCase("Backprojection.compute")]
+    public void Kernels_WriteEightBuffersAtMost(string file)
+    {
+        string path = "Packages/com.glint.radar/Shaders/" + file;
+        foreach (string kernel in ShaderLibrary.Kernels(path))
+        {
+            var written = new Reflection(SpirvModule.WithImageFormat(ShaderLibrary.Load(path, kernel))).Buffers.Where(buffer => buffer.Writable);
+            Assert.That(written.Count(), Is.InRange(1, 8), kernel);
+        }
+    }
+
     [TestCaseSource(nameof(Sources))]
     public void Source_NegatesNoComparison(string path) =>
         Assert.That(Text(path), Does.Not.Match(@"(?m)^(?!\s*//).*!\(.*[<>]"));
