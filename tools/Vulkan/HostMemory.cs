@@ -5,9 +5,9 @@ using System.Runtime.InteropServices;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// Memory of the process that a device uses as its own (VK_EXT_external_memory_host). Its bytes are zero, and the operating system
-/// provides a page when it is first touched: a list that could hold many poses costs what a single one fills. What the driver
-/// reserves has to be cleared as a whole.
+/// Memory of the process that a device uses as its own (VK_EXT_external_memory_host). Its bytes are zero, and the
+/// operating system provides a page when it is first touched: a list that could hold many poses costs what a single one
+/// fills. What the driver reserves has to be cleared as a whole.
 /// </summary>
 sealed unsafe class HostMemory : IDisposable
 {

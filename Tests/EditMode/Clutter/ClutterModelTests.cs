@@ -130,8 +130,8 @@ namespace Glint.Tests
         {
             const double wind = 10, gravity = 9.81;
             double alpha = 0.076 * Math.Pow(wind * wind / (fetch * gravity), 0.22),
-                frequency = 22 * Math.Pow(gravity * gravity / (wind * fetch), 1.0 / 3), peak = frequency * frequency / gravity,
-                height = 4 * Math.Sqrt(alpha / 5) / peak;
+                frequency = 22 * Math.Pow(gravity * gravity / (wind * fetch), 1.0 / 3),
+                peak = frequency * frequency / gravity, height = 4 * Math.Sqrt(alpha / 5) / peak;
             var waves = SeaSettings.Default;
             (waves.Kind, waves.WindSpeed, waves.Fetch, waves.PeakEnhancement, waves.SignificantWaveHeight) =
                 (SeaSpectrumKind.Jonswap, wind, fetch, 1, 0);

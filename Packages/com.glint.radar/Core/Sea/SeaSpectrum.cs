@@ -12,7 +12,8 @@ namespace Glint.Core
         /// <summary>Gravity, rounded as in the sources of the spectra, m/s2.</summary>
         public const double Gravity = 9.81;
 
-        // Of the integral of a height: its wave numbers, rad/m, outside of which nothing counts, and midpoints in equal ratios.
+        // Of the integral of a height: its wave numbers, rad/m, outside of which nothing counts, and midpoints in equal
+        // ratios.
         const double LongestWave = 1e-3, ShortestWave = 1e3;
         const int HeightSteps = 1000;
 

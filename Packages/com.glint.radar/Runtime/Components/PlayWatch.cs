@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Tells a component that runs in edit mode too when the scene begins to play. Where Play does not reload the scene (Project
-    /// Settings, Editor), Unity does not send Start again to a script that had it in edit mode.
+    /// Tells a component that runs in edit mode too when the scene begins to play. Where Play does not reload the scene
+    /// (Project Settings, Editor), Unity does not send Start again to a script that had it in edit mode.
     /// </summary>
     struct PlayWatch
     {

@@ -70,6 +70,7 @@ namespace Glint
         (SeaSurface, double) _filled; // what the mesh shows
         Material _instanced;
         Vector3 _localCentre;
+        int _layer; // of the tiles
         bool _isStale;
 
         /// <summary>Stored moments, in order. Call <see cref="Rebuild"/> after a change.</summary>
@@ -187,8 +188,8 @@ namespace Glint
             if (!gameObject.scene.IsValid())
                 return;
             _isStale = false;
-            // before anything is refused: an error is reported once, until the centre or a setting changes
-            _localCentre = LocalCentre();
+            // before anything is refused: an error is reported once, until the centre, the layer or a setting changes
+            (_localCentre, _layer) = (LocalCentre(), gameObject.layer);
             Check();
             var tile = Tile(out double size);
             _tiles.Rebuild(transform, tile, Instanced(), size, _extent, _localCentre, Subject);
@@ -354,7 +355,7 @@ namespace Glint
         {
             if (Application.IsPlaying(gameObject))
                 Move();
-            if (_isStale || LocalCentre() != _localCentre || gameObject.layer != _tiles.Layer)
+            if (_isStale || LocalCentre() != _localCentre || gameObject.layer != _layer)
                 Attempt();
         }
 

@@ -20,9 +20,6 @@ namespace Glint
         /// <summary>Number of visible tiles.</summary>
         public int Shown { get; private set; }
 
-        /// <summary>Layer of the visible tiles: that of their parent when they were shown.</summary>
-        public int Layer { get; private set; }
-
         /// <summary>
         /// Covers an extent with copies of a tile; existing objects are reused, surplus ones are hidden.
         /// </summary>
@@ -42,7 +39,6 @@ namespace Glint
                 throw new GlintException(FormattableString.Invariant(
                     $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MaxTiles} is the limit: use larger tiles or a smaller extent"));
             Find(parent);
-            Layer = parent.gameObject.layer;
             // Moved by whole tiles, so that the waves remain in place.
             var whole = new Vector3((float)(size * Math.Round(centre.x / size)), 0,
                 (float)(size * Math.Round(centre.z / size)));
@@ -51,7 +47,7 @@ namespace Glint
                 if (i == _tiles.Count)
                     _tiles.Add(MakeTile(parent));
                 var tile = _tiles[i];
-                tile.gameObject.layer = Layer;
+                tile.gameObject.layer = parent.gameObject.layer;
                 tile.transform.localPosition =
                     PositionOf(i % across, i / across, new int2(across, along), size) + whole;
                 if (tile.sharedMesh != mesh)

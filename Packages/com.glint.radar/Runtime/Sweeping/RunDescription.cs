@@ -17,7 +17,9 @@ namespace Glint
             + "bounces, segments and path_length_m count the rays traced; sampling_error is the standard error of "
             + "amplitude_normalised; undersampled: 1 where the tolerance is not met";
 
-        /// <summary>Name of a component's scene, for the folder of its results; a scene that was never saved has none.</summary>
+        /// <summary>
+        /// Name of a component's scene, for the folder of its results; a scene that was never saved has none.
+        /// </summary>
         public static string SceneOf(Component component) =>
             string.IsNullOrEmpty(component.gameObject.scene.name) ? "Untitled" : component.gameObject.scene.name;
 

@@ -46,8 +46,8 @@ public sealed partial class ShaderSourceTests
         string path = "Packages/com.glint.radar/Shaders/" + file;
         foreach (string kernel in ShaderLibrary.Kernels(path))
         {
-            var written = new Reflection(SpirvModule.WithImageFormat(ShaderLibrary.Load(path, kernel))).Buffers.Where(buffer => buffer.Writable);
-            Assert.That(written.Count(), Is.InRange(1, 8), kernel);
+            var reflection = new Reflection(SpirvModule.WithImageFormat(ShaderLibrary.Load(path, kernel)));
+            Assert.That(reflection.Buffers.Count(buffer => buffer.Writable), Is.InRange(1, 8), kernel);
         }
     }
 

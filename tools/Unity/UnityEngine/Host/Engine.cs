@@ -41,7 +41,8 @@ public static class Engine
     }
 
     /// <summary>
-    /// Whether Play reloads the scenes, a setting of Unity's editor. Else scripts that ran in edit mode are not started again.
+    /// Whether Play reloads the scenes, a setting of Unity's editor. Else scripts that ran in edit mode are not started
+    /// again.
     /// </summary>
     internal static bool ReloadsScenes { get; set; } = true;
 
