@@ -60,8 +60,8 @@ namespace Glint.Tests
             const double focus = 0.25, radius = 0.25, toWall = 1.3 * focus, wall = 0.08;
             var radar = RadarAspect.At(30, 20);
             float3 At(double u, double v, double height) => (float3)(u * radar.Right + v * radar.Up + height * radar.ToRadar);
-            var dish = Grid(24, radius, (u, v) => At(u, v, (u * u + v * v) / (4 * focus)));
-            var scene = new RadarScene(TestRadar.Join(dish, Grid(1, wall, (u, v) => At(u, v, toWall))));
+            var dish = Square(24, radius, (u, v) => At(u, v, (u * u + v * v) / (4 * focus)));
+            var scene = new RadarScene(TestRadar.Join(dish, Square(1, wall, (u, v) => At(u, v, toWall))));
             var pose = PoseOf(scene, 30, 20, 0.05);
             (pose.OnlyBounce, pose.HasEdges, pose.Frequencies) = (3, false, new[] { 3e9 });
             var result = Tracer.Trace(pose).S[0, 0];
@@ -71,19 +71,8 @@ namespace Glint.Tests
         }
 
         // A square of cells about the origin, half a side wide.
-        static TriangleMesh Grid(int cells, double half, Func<double, double, float3> at)
-        {
-            var vertices = new float3[(cells + 1) * (cells + 1)];
-            for (int i = 0; i < vertices.Length; i++)
-                vertices[i] = at(half * (2.0 * (i % (cells + 1)) / cells - 1), half * (2.0 * (i / (cells + 1)) / cells - 1));
-            var indices = new int[6 * cells * cells];
-            for (int i = 0; i < cells * cells; i++)
-            {
-                int first = i / cells * (cells + 1) + i % cells, above = first + cells + 1;
-                new[] { first, above, first + 1, first + 1, above, above + 1 }.CopyTo(indices, 6 * i);
-            }
-            return new TriangleMesh(vertices, indices);
-        }
+        static TriangleMesh Square(int cells, double half, Func<double, double, float3> at) => TestMeshes.Grid(cells, cells,
+            (column, row) => at(half * (2.0 * column / cells - 1), half * (2.0 * row / cells - 1)));
 
         // Rays that meet a facet of a sphere: their way to the sphere itself is a root.
         [Test]

@@ -12,12 +12,20 @@ namespace Glint.Tests
         /// <summary>Waves over a grid of squares with shared vertices, two triangles each.</summary>
         public static TriangleMesh Sea(int across, int along, float square = 0.5f)
         {
+            return Grid(across, along, (column, row) =>
+            {
+                float x = square * column, z = square * row;
+                return float3(x, 0.3f * square * (sin(0.7f * x + 0.3f * z) + sin(0.2f * x - 1.1f * z)), z);
+            });
+        }
+
+        /// <summary>A grid of cells with shared vertices, two triangles each.</summary>
+        /// <param name="at">Vertex by column and row.</param>
+        public static TriangleMesh Grid(int across, int along, Func<int, int, float3> at)
+        {
             var vertices = new float3[(across + 1) * (along + 1)];
             for (int i = 0; i < vertices.Length; i++)
-            {
-                float x = square * (i % (across + 1)), z = square * (i / (across + 1));
-                vertices[i] = float3(x, 0.3f * square * (sin(0.7f * x + 0.3f * z) + sin(0.2f * x - 1.1f * z)), z);
-            }
+                vertices[i] = at(i % (across + 1), i / (across + 1));
             var indices = new int[6 * across * along];
             for (int i = 0; i < across * along; i++)
             {

@@ -55,19 +55,11 @@ namespace Glint.Tests
             Assert.That(SimplifiedMesh.Of(new TriangleMesh(new float3[0], new int[0]), 12).TriangleCount, Is.Zero);
 
         // A wavy square in cells of two triangles.
-        static TriangleMesh Sheet(int cells, float side)
+        static TriangleMesh Sheet(int cells, float side) => TestMeshes.Grid(cells, cells, (column, row) =>
         {
-            var vertices = new float3[(cells + 1) * (cells + 1)];
-            for (int i = 0; i < vertices.Length; i++)
-            {
-                float x = i % (cells + 1) * side / cells, z = i / (cells + 1) * side / cells;
-                vertices[i] = new float3(x, 0.1f * math.sin(x / 20), z);
-            }
-            var indices = Enumerable.Range(0, cells * cells).Select(cell => cell / cells * (cells + 1) + cell % cells)
-                .SelectMany(corner => new[] { corner, corner + cells + 1, corner + 1, corner + 1, corner + cells + 1,
-                    corner + cells + 2 }).ToArray();
-            return new TriangleMesh(vertices, indices);
-        }
+            float x = column * side / cells, z = row * side / cells;
+            return new float3(x, 0.1f * math.sin(x / 20), z);
+        });
 
         static double3 Position(SimplifiedMesh simplified, int point) =>
             simplified.Min + simplified.Size * new double3(simplified.Positions[3 * point],

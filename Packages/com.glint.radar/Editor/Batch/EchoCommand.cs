@@ -87,6 +87,8 @@ namespace Glint.Editor
         // A facet of a sea answers from its middle, whatever the frequency.
         static void WarnOfFacets(FrequencyBand band, CrossSectionPlan plan, RadarScene scene, string name)
         {
+            if (scene.Seas.Count == 0)
+                return;
             double cosine = Enumerable.Range(0, plan.Poses)
                 .Max(pose => Math.Cos(math.radians(plan[pose * (plan.Count / plan.Poses)].ElevationDegrees)));
             foreach (var waves in scene.Seas.Select(sea => sea.Clutter.LongWaves.Settings))

@@ -40,6 +40,9 @@ public abstract class EngineFixture
         LogSink.Writer = _logWriter;
     }
 
+    /// <summary>For tests that need the assets of the project.</summary>
+    protected void UseProject() => Engine.Assets = _openProject;
+
     /// <summary>Frames of exactly the given length, so that times are predictable.</summary>
     protected static void Play(float frameSeconds = 0.25f)
     {

@@ -7,13 +7,8 @@ namespace Glint.Host.Tests;
 /// <summary>Components that run in edit mode too begin their work when the scene plays, whatever Play reloads.</summary>
 public sealed class PlayTests : EngineFixture
 {
-    IAssetSource _project;
-
-    [OneTimeSetUp]
-    public void FindProject() => _project = Engine.Assets;
-
     [SetUp]
-    public void OpenProject() => Engine.Assets = _project;
+    public void OpenProject() => UseProject();
 
     [Test]
     public void Radar_InAScene_TracesOnceEachTimeItPlays([Values] bool reloadsScenes)

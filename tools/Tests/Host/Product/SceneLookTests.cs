@@ -17,13 +17,8 @@ public sealed class SceneLookTests : EngineFixture
     static IEnumerable<Type> Components => typeof(RadarController).Assembly.GetTypes()
         .Where(type => type.GetCustomAttribute<AddComponentMenu>()?.componentMenu.Length > 0);
 
-    IAssetSource _project;
-
-    [OneTimeSetUp]
-    public void FindProject() => _project = Engine.Assets;
-
     [SetUp]
-    public void OpenProject() => Engine.Assets = _project;
+    public void OpenProject() => UseProject();
 
     [TearDown]
     public void LeavePipeline() => GraphicsSettings.defaultRenderPipeline = null;
