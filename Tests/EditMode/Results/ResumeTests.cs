@@ -56,6 +56,35 @@ namespace Glint.Tests
             Assert.That(Files(_path), Is.EqualTo(Files(_folder.PathOf("whole"))));
         }
 
+        // The first pose has no echo: results.csv gets the columns of echoes when all rows are there, before the JSON.
+        [Test]
+        public void Resume_AfterAnEndBeforeTheJson_OfRowsWithEchoes_TracesTheLastPoseAgain()
+        {
+            var echo = new CrossSectionResult(1, 1);
+            echo.S[0, 0] = new ScatteringMatrix { VV = 10 };
+            var rows = new[] { new CrossSectionResult(1, 1), echo }.Select((result, pose) =>
+                new SweepRow(SampleRun.Row(pose).Pose, SampleRun.Row(pose).Result.With(PoseEcho.Of(result)))).ToArray();
+            int Write(string path, bool goesOn, int count, bool finish)
+            {
+                using (var folder = ResultsFolder.Open(path))
+                {
+                    folder.Begin(SampleSweep.Identity(poses: 2), SampleSweep.Started);
+                    int done = goesOn ? folder.Resume(2) : 0;
+                    foreach (var row in rows.Take(count).Skip(done))
+                        folder.Append(row);
+                    if (finish)
+                        SampleSweep.Finish(folder, SampleSweep.Identity(poses: 2));
+                    return done;
+                }
+            }
+            Write(_folder.PathOf("whole"), false, 2, true);
+            Write(_path, false, 2, false);
+            File.Copy(Path.Combine(_folder.PathOf("whole"), ResultsFolder.CsvName),
+                Path.Combine(_path, ResultsFolder.CsvName), true);
+            Assert.That(Write(_path, true, 2, true), Is.EqualTo(1));
+            Assert.That(Files(_path), Is.EqualTo(Files(_folder.PathOf("whole"))));
+        }
+
         [Test]
         public void Resume_OfACompleteSweep_LeavesIt()
         {

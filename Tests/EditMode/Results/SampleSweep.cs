@@ -57,7 +57,7 @@ namespace Glint.Tests
             }
         }
 
-        static void Finish(ResultsFolder folder, SweepIdentity identity)
+        public static void Finish(ResultsFolder folder, SweepIdentity identity)
         {
             var info = SampleRun.Info();
             info.Sweep = identity;

@@ -80,6 +80,28 @@ namespace Glint.Tests
             Assert.That(first.Select(line => line.From).Distinct().Count(), Is.EqualTo(1), "from the radar");
         }
 
+        // Ray tubes keep no rays: those of one a pixel are shown.
+        [Test]
+        public void Lines_OfAPoseWithATolerance_AreThoseOfOneWithout()
+        {
+            var rays = _radar.Trace();
+            _paths.Lines();
+            int count = _paths.Count;
+            var settings = _radar.Settings;
+            settings.ToleranceDb = 1;
+            (_radar.Settings, _radar.TubeKernel) = (settings, TestKernels.Amplitude);
+            var tubes = _radar.Trace();
+            _paths.Lines();
+            Assert.That((_paths.Count, _paths.IsOutdated), Is.EqualTo((count, false)));
+            Assert.That(_radar.ReceivedPixels().Length,
+                Is.EqualTo(rays.RaysReceived).And.Not.EqualTo(tubes.RaysReceived));
+            Assert.That(_radar.Result, Is.SameAs(tubes));
+            _plate.position += Vector3.up;
+            _paths.ReceivedOnly = false;
+            _paths.Lines();
+            Assert.That(_paths.IsOutdated);
+        }
+
         [Test]
         public void Lines_OfAllRays_AreOfThoseThatMeetTheObjectSoOften()
         {

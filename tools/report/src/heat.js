@@ -48,18 +48,26 @@ export class Heat {
   /** Paints rows, null for none, each from a bottom to a top on the canvas; returns the highest level, -Infinity of no echo. */
   paint(rows, bandOf) {
     const highest = highestOf(rows.map(row => row === null ? -Infinity : highestOf(row)));
-    const pixels = Math.max(1, Math.round(this.width)), strip = new OffscreenCanvas(pixels, 1), to = strip.getContext('2d'), image = to.createImageData(pixels, 1);
+    const lines = this.linesOf(rows, bandOf);
+    const pixels = Math.max(1, Math.round(this.width)), picture = new OffscreenCanvas(pixels, lines.length), to = picture.getContext('2d'), image = to.createImageData(pixels, lines.length);
     const colours = Array.from({ length: 10 * span + 1 }, (_, i) => ofHeat(i / (10 * span)));
     const colourOf = level => colours[level === -Infinity ? 0 : Math.round(10 * Math.max(0, level - highest + span))];
+    lines.forEach((line, y) => line?.forEach((level, pixel) => image.data.set([...colourOf(level), 255], 4 * (y * pixels + pixel))));
+    to.putImageData(image, 0, 0);
     this.ctx.imageSmoothingEnabled = false;
+    this.ctx.drawImage(picture, this.left, this.top, this.width, lines.length);
+    return highest;
+  }
+
+  // The levels of all lines of pixels, from above, null for none; of the rows of a line the highest.
+  linesOf(rows, bandOf) {
+    const lines = Array.from({ length: Math.max(1, Math.round(this.height)) }, () => null);
     rows.forEach((row, index) => {
       if (row === null) return;
-      row.forEach((level, pixel) => image.data.set([...colourOf(level), 255], 4 * pixel));
-      to.putImageData(image, 0, 0);
-      const [low, high] = bandOf(index).map(Math.round);
-      this.ctx.drawImage(strip, this.left, high, this.width, low - high);
+      const [low, high] = bandOf(index).map(y => Math.round(y - this.top)), first = Math.min(high, lines.length - 1);
+      for (let y = first; y < Math.max(low, first + 1); y++) lines[y] = lines[y]?.map((level, pixel) => Math.max(level, row[pixel])) ?? row;
     });
-    return highest;
+    return lines;
   }
 
   /** Frame, range below, and on the left the values, each at its place on the canvas, from below. */

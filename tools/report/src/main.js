@@ -7,7 +7,7 @@ import { showScreen } from './screen.js';
 
 const data = JSON.parse(byId('data').textContent);
 const { run } = data;
-const name = (run.scene?.path ?? 'Built-in scene').split(/[\\/]/).pop().replace(/\.(unity|obj|stl)$/i, '');
+const name = (run.scene?.path || 'Untitled').split(/[\\/]/).pop().replace(/\.(unity|obj|stl)$/i, '');
 // The parts of the page of each table of results; without a table it is a run or sweep.
 const { parts, show } = {
   run: { parts: ['run'], show: showRun }, rcs: { parts: ['rcs'], show: showCrossSections },

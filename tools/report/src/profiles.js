@@ -12,8 +12,10 @@ export class Profiles {
     this.ranges = Array.from({ length: echo.cells }, (_, cell) => echo.start + cell * echo.step);
     echo.quantities.forEach(({ unit }, i) => byId('profile-unit').append(make('option', unit, { value: i })));
     echo.polarisations.forEach((name, i) => byId('waterfall-polarisation').append(make('option', name.toUpperCase(), { value: i })));
+    // Detections are those of the last.
+    if (echo.detections && !echo.doppler) byId('profile-unit').value = echo.quantities.length - 1;
     for (const id of ['profile-unit', 'waterfall-polarisation']) byId(id).addEventListener('change', () => this.draw());
-    byId('profile-text').textContent = `Range is half of the path out and back: 0 at the phase centre, positive away from the radar. Echoes outside the unambiguous range of ${number(echo.unambiguous, 4)} m are folded into it. The window is ${echo.window}: the peak of a point is its ${echo.quantities.length > 1 ? 'cross section or received power' : 'cross section'}.${echo.group > 1 ? ` Of ${number(echo.group)} neighbouring cells the highest is shown.` : ''}`;
+    byId('profile-text').textContent = `${echo.doppler ? 'Profiles are those of the first pulse. ' : ''}Range is half of the path out and back: 0 at the phase centre, positive away from the radar. Echoes outside the unambiguous range of ${number(echo.unambiguous, 4)} m are folded into it. The window is ${echo.window}: the peak of a point is its ${echo.quantities.length > 1 ? 'cross section or received power' : 'cross section'}.${echo.group > 1 ? ` Of ${number(echo.group)} neighbouring cells the highest is shown.` : ''}`;
     this.canvas = byId('waterfall');
     this.heat = new Heat(this.canvas, byId('waterfall-legend'), echo);
     if (poses.x.values.length < 2) {

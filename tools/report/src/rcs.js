@@ -63,9 +63,12 @@ export function showCrossSections(data) {
 
 function nameForEcho() {
   document.querySelector('label[for=row]').textContent = 'Direction';
-  byId('levels-heading').textContent = 'Highest echo';
-  byId('levels-text').textContent = 'The bands are the largest standard error of the integration among the frequencies, not of physical optics.';
+  byId('levels-heading').textContent = highestEcho();
+  byId('levels-text').textContent = 'The bands of VV and HH are the largest standard error of the integration among the frequencies, not of physical optics.';
 }
+
+// Rows of an echo have the peaks of profiles.
+const highestEcho = () => echo.doppler ? 'Highest echo of the first pulse' : 'Highest echo';
 
 const levelsOf = row => present.map(name => row[`${name}_dbsm`]).filter(level => typeof level === 'number');
 
@@ -86,7 +89,7 @@ function head(strongest) {
   const best = run.rows[strongest], levels = best ? levelsOf(best) : [];
   showFacts([
     [echo ? 'Directions' : 'Rows', number(run.rows.length)],
-    [`${echo ? 'Highest echo' : 'Largest cross section'}${levels.length > 0 ? `, ${poses.name(best)}` : ''}`, levelText(highestOf(levels), 'dBsm')],
+    [`${echo ? highestEcho() : 'Largest cross section'}${levels.length > 0 ? `, ${poses.name(best)}` : ''}`, levelText(highestOf(levels), 'dBsm')],
     ['Tolerance', `${number(run.settings.tolerance?.value)} dB`],
     ...echo ? [['Bandwidth', `${number(run.settings.bandwidth?.value / 1e6)} MHz`], ['Range bin', `${number(run.settings.range_resolution?.value, 4)} m`]] : [],
     [echo ? 'Middle of the band' : 'Frequency', poses.span('frequency_hz') ?? (best ? `${number(best.frequency_hz / 1e9)} GHz` : '-')],
@@ -123,7 +126,8 @@ class Levels {
     present.forEach((name, i) => {
       if (!this.ticks[i].checked) return;
       const values = line.map(row => row?.[`${name}_dbsm`] ?? null), label = name.toUpperCase();
-      const edge = sign => values.map((value, place) => value === null ? null : edgeOf(10 ** (value / 20), sign * line[place].integration_error_m));
+      const error = row => row[['hv', 'vh'].includes(name) ? 'cross_integration_error_m' : 'integration_error_m'];
+      const edge = sign => values.map((value, place) => typeof value === 'number' && typeof error(line[place]) === 'number' ? edgeOf(10 ** (value / 20), sign * error(line[place])) : null);
       for (const sign of [1, -1]) curves.push({ label: ' ', values: edge(sign), width: 0, stroke: stroke(i), points: { show: false } });
       bands.push({ series: [curves.length - 1, curves.length], fill: theme('--band') });
       curves.push({ label, values, stroke: stroke(i), dash: dash(2 * i), points: pointsOf(values, stroke(i), 60) });
@@ -135,7 +139,7 @@ class Levels {
       around.push({ values, stroke: stroke(i), dash: dash(2 * i), marks: [{ holds: place => isUnmet(line[place]), stroke: theme('--mark') }, { holds: place => isOutside(line[place]), stroke: theme('--mark'), isDiamond: true }] });
     });
     const highest = around.flatMap(series => series.values.map((value, place) => [value, place])).filter(([value]) => value !== null).reduce((a, b) => b[0] > a[0] ? b : a, [-Infinity, 0]);
-    const description = `${echo ? 'Highest echo' : 'Cross section'} in dBsm over ${x.label}${highest[0] > -Infinity ? `; the largest is ${number(highest[0], 4)} dBsm at ${poses.name(line[highest[1]])}` : ''}. The table below has the figures.`;
+    const description = `${echo ? highestEcho() : 'Cross section'} in dBsm over ${x.label}${highest[0] > -Infinity ? `; the largest is ${number(highest[0], 4)} dBsm at ${poses.name(line[highest[1]])}` : ''}. The table below has the figures.`;
     draw(byId('levels'), {
       x, series: curves, bands, yLabel: `${echo ? 'highest echo' : 'cross section'}, dBsm`, maxSpan, description, height: 400,
       marked: () => poses.xOf(poses.chosen), onPick: index => poses.choose(poses.at(index))
@@ -158,6 +162,6 @@ function errors() {
   const rows = run.rows.filter(row => typeof row.integration_error_db === 'number');
   if (rows.length === 0) return;
   const worst = rows.reduce((a, b) => b.integration_error_db > a.integration_error_db ? b : a), coarse = highestOf(rows.map(row => row.coarse_area_share ?? 0));
-  byId('error-text').textContent = `The standard error of the integration is ${number(worst.integration_error_db, 3)} dB at most, of VV or HH (${poses.name(worst)}); ${number(rows.filter(row => row.tolerance_met === 1).length)} of ${plural(rows.length, 'row')} met the tolerance of ${number(run.settings.tolerance?.value)} dB. `
+  byId('error-text').textContent = `The standard error of the integration is ${number(worst.integration_error_db, 3)} dB at most, of the polarisation with the largest (${poses.name(worst)}); ${number(rows.filter(row => row.tolerance_met === 1).length)} of ${plural(rows.length, 'row')} met the tolerance of ${number(run.settings.tolerance?.value)} dB. `
     + `It is not the error of physical optics, which knows no creeping waves, no double diffraction and no tips.${coarse > 0 ? ` On ${number(100 * coarse, 3)} % of the area the facets are too coarse for the highest frequency.` : ''}`;
 }

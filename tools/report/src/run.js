@@ -9,18 +9,25 @@ import { drawPhases } from './phase.js';
 import { fillTable, settingsTable, showFacts } from './settings.js';
 
 let data, run, scene, columns, poses, strongest, charts;
+// In decibels, of a run by ray tubes, which keeps no single rays and no phases; else undefined.
+let tolerance;
 
 /** @param {object} report The report's data. @returns what draws the charts again. */
 export function showRun(report) {
   data = report;
   ({ run, scene } = data);
   ({ columns } = run);
+  tolerance = run.settings.tolerance?.value;
   poses = new Poses(run.rows, columns);
   strongest = poses.rows.length === 0 ? -1 : poses.rows.reduce((best, row, i) => row.amplitude > poses.rows[best].amplitude ? i : best, 0);
   poses.chosen = Math.max(0, scene?.pose ?? strongest);
   head();
-  charts = new SweepCharts(poses, columns);
+  charts = new SweepCharts(poses, columns, tolerance === undefined ? 'not to be trusted' : 'tolerance not met');
   new PoseTable(poses, columns, 'pose', 'results.csv');
+  if (tolerance !== undefined) {
+    byId('phase-section').remove();
+    byId('squares-text').textContent = 'Squares mark poses that did not meet the tolerance.';
+  }
   settingsTable(run, poses);
   timings();
   errors();
@@ -36,7 +43,8 @@ function head() {
   const doubtful = poses.rows.filter(row => row.undersampled === 1).length;
   byId('warning').hidden = doubtful === 0;
   const where = poses.rows.length === 1 ? 'The' : `In ${number(doubtful)} of ${plural(poses.rows.length, 'pose')} the`;
-  byId('warning').textContent = `${where} rays are too far apart, or too few return, for amplitude and error to be trusted: trace more rays or a narrower view.`;
+  byId('warning').textContent = tolerance !== undefined ? `${where} tolerance of ${number(tolerance)} dB is not met: ask for a larger tolerance.`
+    : `${where} rays are too far apart, or too few return, for amplitude and error to be trusted: trace more rays or a narrower view.`;
   const best = poses.rows[strongest];
   const facts = [
     ...poses.rows.length === 1 ? [
@@ -74,13 +82,17 @@ function choosePose() {
   poses.onChange(() => {
     show();
     charts.redraw();
-    drawPhases(poses);
+    paintPhases();
   });
 }
 
 function paint() {
   if (poses.rows.length > 1) charts.draw();
-  drawPhases(poses);
+  paintPhases();
+}
+
+function paintPhases() {
+  if (tolerance === undefined) drawPhases(poses);
 }
 
 function showScene() {
@@ -91,11 +103,14 @@ function showScene() {
     return;
   }
   const row = poses.rows[scene.pose], what = capital(poses.name(row));
-  const rays = `${scene.received === 0 ? 'no ray' : plural(scene.received, 'ray')} received${scene.paths.counts.length < scene.received ? `, of which ${number(scene.paths.counts.length)}, evenly selected, can be drawn` : ''}`;
+  const { received, counts } = scene.paths;
+  const found = tolerance === undefined ? received === 0 ? 'no ray' : plural(received, 'ray') : `of one ray a pixel ${received === 0 ? 'none is' : received === 1 ? '1 is' : `${number(received)} are`}`;
+  const rays = `${found} received${counts.length < received ? `, of which ${number(counts.length)}, evenly selected, can be drawn` : ''}`;
+  const hits = tolerance === undefined ? `, of ${number(row.rays_hit)} that hit` : '; the ray tubes of the amplitude are not drawn';
   const coarse = scene.drawn < scene.triangles ? ` Of ${number(scene.triangles)} triangles the view has ${number(scene.drawn)}: surfaces are drawn coarser than traced, and rays may end beside them.` : '';
   const changed = scene.received !== row.rays_received || Math.abs(scene.amplitude - row.amplitude) > 1e-3 * Math.max(1, row.amplitude)
     ? ` The scene has changed since the run, which received ${plural(row.rays_received, 'ray')} with amplitude ${number(row.amplitude)}.` : '';
-  byId('scene-text').textContent = `${what}: ${rays}, of ${number(row.rays_hit)} that hit. The purple lines are the receiver and the edges of the radar's view.${coarse}${changed}`;
+  byId('scene-text').textContent = `${what}: ${rays}${hits}. The purple lines are the receiver and the edges of the radar's view.${coarse}${changed}`;
   if (scene.picture) new Picture(scene.picture, what);
   else byId('picture-section').hidden = true;
   byId('view').setAttribute('aria-label', `The scene in 3-D with ${plural(scene.paths.counts.length, 'ray')}.`);
@@ -124,8 +139,15 @@ function errors() {
     byId('error-text').textContent = `The sampling error was ${columns.sampling_error.missing}: the run left it out.`;
     return;
   }
-  const worst = estimated.reduce((a, b) => b.sampling_error > a.sampling_error ? b : a), step = estimated.reduce((a, b) => b.largest_path_step_wavelengths > a.largest_path_step_wavelengths ? b : a);
-  byId('error-text').textContent = `The sampling error, the difference from infinitely many rays, is estimated to be ${number(worst.sampling_error, 3)} at most (${poses.name(worst)}, amplitude ${number(worst.amplitude_normalised)}). `
+  const worst = estimated.reduce((a, b) => b.sampling_error > a.sampling_error ? b : a);
+  const most = `${number(worst.sampling_error, 3)} at most (${poses.name(worst)}, amplitude ${number(worst.amplitude_normalised)})`;
+  if (tolerance !== undefined) {
+    const met = estimated.filter(row => row.undersampled === 0).length;
+    byId('error-text').textContent = `The standard error of the integration over ray tubes is ${most}; ${number(met)} of ${plural(estimated.length, 'pose')} met the tolerance of ${number(tolerance)} dB. The error covers the integration alone: surfaces are perfect mirrors, and diffraction is not included.`;
+    return;
+  }
+  const step = estimated.reduce((a, b) => b.largest_path_step_wavelengths > a.largest_path_step_wavelengths ? b : a);
+  byId('error-text').textContent = `The sampling error, the difference from infinitely many rays, is estimated to be ${most}. `
     + `Neighbouring received rays differ in length by ${number(step.largest_path_step_wavelengths, 3)} wavelengths at most (${poses.name(step)}). The estimate covers only the rays' spacing: surfaces are perfect mirrors, and diffraction is not included.`;
 }
 

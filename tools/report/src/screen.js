@@ -3,7 +3,7 @@ import { byId, bytes, number, plural, seconds } from './text.js';
 import { hotStops, ofHeat, rgb, theme } from './palette.js';
 import { settingsTable, showFacts } from './settings.js';
 
-const nauticalMile = 1852, shownDecibels = 60, mostZoom = 64, mostSpokes = 64, rings = 6;
+const nauticalMile = 1852, shownDecibels = 60, mostZoom = 64, mostSpokes = 512, rings = 6;
 const background = '#02081a', detection = '#56b4e9', line = 'rgba(220, 230, 240, 0.45)';
 
 /** @param {object} data The report's data. @returns what draws the picture again. */

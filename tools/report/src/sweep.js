@@ -6,10 +6,9 @@ import { theme } from './palette.js';
 const curve = (label, values, i) => ({ label, values, stroke: stroke(i), dash: dash(i), points: pointsOf(values, stroke(i), 120) });
 
 export class SweepCharts {
-  /** @param {object} poses Poses. @param {object} columns by name. */
-  constructor(poses, columns) {
-    this.poses = poses;
-    this.columns = columns;
+  /** @param {object} poses Poses. @param {object} columns by name. @param {string} doubt What the marks of undersampled poses say. */
+  constructor(poses, columns, doubt) {
+    [this.poses, this.columns, this.doubt] = [poses, columns, doubt];
     this.plots = [];
     const select = byId('quantity');
     // Amplitudes are in the first chart.
@@ -50,7 +49,7 @@ export class SweepCharts {
     groups.forEach(([name, rows], i) => series.push(curve(name || 'amplitude', rows.map(row => row ? level(row.amplitude_normalised) : null), i)));
     if (this.poses.rows.some(row => row.undersampled === 1))
       groups.forEach(([, rows], i) => series.push({
-        label: i === 0 ? 'not to be trusted' : ' ', values: rows.map(row => row?.undersampled === 1 ? level(row.amplitude_normalised) : null), stroke: theme('--mark'), paths: () => null,
+        label: i === 0 ? this.doubt : ' ', values: rows.map(row => row?.undersampled === 1 ? level(row.amplitude_normalised) : null), stroke: theme('--mark'), paths: () => null,
         points: { show: true, paths: squares, width: 2, stroke: theme('--mark'), fill: 'transparent' }
       }));
     const strongest = this.poses.rows.reduce((best, row) => row.amplitude_normalised > best.amplitude_normalised ? row : best);

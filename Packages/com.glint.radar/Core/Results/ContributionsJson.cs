@@ -76,6 +76,7 @@ namespace Glint.Core
                 ?? throw new FormatException($"{Name} of a row has no {name}");
             return lists.Select(list => list is JArray numbers && numbers.Count == length
                     && numbers[0].Type == JTokenType.Integer
+                    && (name != HotSpots || numbers[1].Type == JTokenType.Integer)
                 ? numbers.Select(number => number.Value<double?>()).ToArray()
                 : throw new FormatException($"{name} of a row are not lists of {length} numbers")).ToArray();
         }

@@ -348,22 +348,23 @@ namespace Glint.Core
             _csvLength = csvLength + more.Length;
         }
 
-        // Refuses rows that were changed. Returns how many bytes stay: none where an older Glint wrote fewer columns.
+        // Refuses rows that were changed. Returns how many bytes stay: none where an older Glint wrote fewer columns,
+        // or where all rows have the columns of a finished sweep.
         int CheckCsv(IReadOnlyList<StoredRow> rows, byte[] csv)
         {
             var there = File.Exists(CsvPath) ? File.ReadAllBytes(CsvPath) : Array.Empty<byte>();
             var names = Utf8.GetString(there.TakeWhile(letter => letter != '\n').ToArray()).Split(',');
-            var all = _table.ColumnsOf(rows.Take(1));
-            var columns = all.Where(column => names.Contains(column.Name)).ToArray();
-            bool isOlder = columns.Length == names.Length && columns.Length < all.Count;
-            var expected = BytesOf(text => WriteCsv(text, isOlder ? columns : all, rows));
+            var begun = _table.ColumnsOf(rows.Take(1));
+            var columns = _table.ColumnsOf(rows).Where(column => names.Contains(column.Name)).ToArray();
+            bool isBegun = columns.Length != names.Length || columns.SequenceEqual(begun);
+            var expected = BytesOf(text => WriteCsv(text, isBegun ? begun : columns, rows));
             int same = 0;
             while (same < there.Length && same < expected.Length && there[same] == expected[same])
                 same++;
             if (same < there.Length)
                 throw new GlintException($"{CsvPath}, line {1 + there.Take(same).Count(letter => letter == '\n')}: "
                     + $"differs from what {PartialName} holds: restore it, or delete it to have it written again");
-            return isOlder ? 0 : Math.Min(same, csv.Length);
+            return isBegun ? Math.Min(same, csv.Length) : 0;
         }
 
         static void WriteCsv(TextWriter text, IReadOnlyList<ResultColumn> columns, IEnumerable<StoredRow> rows,

@@ -52,7 +52,9 @@ namespace Glint.Editor
                 .SelectMany(row => row.Contributions.HotSpots).Select(spot => (spot.Object, spot.Triangle)).Distinct();
             foreach (var (objectNumber, triangle) in isChanged ? Enumerable.Empty<(int, int)>() : spots)
             {
-                var points = parts.CornersOf(objectNumber, triangle);
+                var points = parts.CornersOf(objectNumber, triangle)
+                    ?? throw new GlintException($"the results are damaged: object {objectNumber} of the scene has no "
+                        + $"triangle {triangle}, which is a hot spot");
                 corners.AddRange(points.SelectMany(point => Floats(point - model.Centre)));
                 names.Add(new JArray(objectNumber, triangle));
             }

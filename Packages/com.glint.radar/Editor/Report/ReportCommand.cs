@@ -17,6 +17,19 @@ namespace Glint.Editor
         /// <exception cref="GlintException">There are no results, or the report cannot be written.</exception>
         public static int Write(CommandLine line, IProgressSink progress)
         {
+            try
+            {
+                return WriteRun(line, progress);
+            }
+            catch (FormatException damage)
+            {
+                throw new GlintException($"{line.Input}: the results are damaged: {damage.Message}; restore them, or "
+                    + "run the command again that wrote them", damage);
+            }
+        }
+
+        static int WriteRun(CommandLine line, IProgressSink progress)
+        {
             var run = StoredRun.ReadAny(line.Input);
             int pose = line.Get(ReportOptions.Pose);
             bool hasPoses = run.Table != ResultTable.Clutter && run.Table != ResultTable.Screen;

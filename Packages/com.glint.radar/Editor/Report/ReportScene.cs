@@ -26,6 +26,9 @@ namespace Glint.Editor
         /// </summary>
         public IReadOnlyList<double3[]> Paths = Array.Empty<double3[]>();
 
+        /// <summary>Number of received rays of which paths are chosen: one a pixel.</summary>
+        public int Received;
+
         /// <summary>The radar's view; null for none.</summary>
         public RadarPreviewImage Preview;
 
@@ -48,6 +51,7 @@ namespace Glint.Editor
                 ["radar"] = ToJson(Pose.View, Pose.Settings, centre),
                 ["paths"] = new JObject
                 {
+                    ["received"] = Received,
                     ["points"] =
                         ReportModel.Base64(Paths.SelectMany(path => path)
                             .SelectMany(point => Floats(point - centre)).ToArray(), sizeof(float)),

@@ -32,8 +32,10 @@ namespace Glint.Editor
                     {
                         Number = number, Result = sweep.Step(progress, progress.Cancel).Result, Pose = radar.Gather()
                     };
+                    var received = radar.ReceivedPixels(progress.Cancel);
+                    scene.Received = received.Length;
                     scene.Paths = Array.ConvertAll(
-                        radar.TracePaths(Chosen(radar.ReceivedPixels()), null, progress.Cancel), path => path.Points());
+                        radar.TracePaths(Chosen(received), null, progress.Cancel), path => path.Points());
                     scene.Preview = radar.TracePreview(progress.Cancel);
                     scene.ObjectName = NamesIn(radar, scene.Preview.Objects());
                     progress.Advance(1, null);

@@ -326,9 +326,22 @@ namespace Glint
 
         /// <summary>
         /// Pixels of the rays received in the last pose, in ascending order: x + y * rays across, from the lower left
-        /// corner. Empty after <see cref="Release"/>.
+        /// corner. Empty after <see cref="Release"/>. Ray tubes keep no single rays: with a tolerance one a pixel is
+        /// traced now, through the scene in its current state.
         /// </summary>
-        public uint[] ReceivedPixels() => _tracer?.ReceivedPixels() ?? Array.Empty<uint>();
+        /// <param name="cancel">Cancels that trace between two dispatches.</param>
+        /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public uint[] ReceivedPixels(CancellationToken cancel = default)
+        {
+            if (Result != null && _traced.Settings.ToleranceDb > 0)
+            {
+                var pose = GatherForTracer();
+                (pose.Settings.ToleranceDb, pose.Settings.SkipSamplingError) = (0, true);
+                _tracer.Trace(pose, RayReadback.None, null, cancel);
+            }
+            return _tracer?.ReceivedPixels() ?? Array.Empty<uint>();
+        }
 
         /// <summary>
         /// Traces the paths of single rays through the scene in its current state, with the objects that they hit

@@ -177,15 +177,24 @@ namespace Glint
             if (_radar.Result == null)
                 return;
             _pose = _radar.Gather();
-            var received = _radar.ReceivedPixels();
-            if (received.Length == _radar.Result.RaysReceived) // a released radar has lost them
-                _received = received;
-            IsOutdated = !_radar.IsAsTraced(_pose) || _receivedOnly && _received == null;
+            IsOutdated = !_radar.IsAsTraced(_pose) || _receivedOnly && !FindReceived();
             if (IsOutdated)
                 return;
             var pixels = Chosen(_receivedOnly ? _received : null);
             if (pixels.Length > 0)
                 _paths = Array.FindAll(_radar.TracePaths(pixels), IsMeant);
+        }
+
+        // False if a released radar has lost them. Ray tubes count other rays than those of pixels.
+        bool FindReceived()
+        {
+            if (_received == null)
+            {
+                var pixels = _radar.ReceivedPixels();
+                if (_pose.Settings.ToleranceDb > 0 || pixels.Length == _radar.Result.RaysReceived)
+                    _received = pixels;
+            }
+            return _received != null;
         }
 
         // Every n-th ray, evenly reduced to the maximum. Pixels: null for the whole picture.
