@@ -47,7 +47,8 @@ void AddCandidate(Path path, uint pixel, uint number)
 uint2 MetNext(Path path)
 {
     bool isNoted = path.FirstMet != NOTHING_MET && path.Bounces < _MaxBounces;
-    return isNoted ? _Met[path.FirstMet + path.Bounces] : NOT_MET;
+    uint2 met = _Met[isNoted ? path.FirstMet + path.Bounces : 0]; // both sides of ? are evaluated
+    return isNoted ? met : NOT_MET;
 }
 
 // Whether float32 is sure that nothing is between the last hit and the receiver.

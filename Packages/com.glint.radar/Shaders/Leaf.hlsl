@@ -142,8 +142,10 @@ void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inou
         isSecond ? pair.Corner3 : pair.Corner2, toHit, normal, isAtEdge))
         return;
     float farther = Rounded(Sub(toHit, state.RefinedDistance));
-    bool isTied = farther == 0.0 && state.Instance != NO_INSTANCE
-        && IsBefore(NumberOf(instance, row, isSecond), NumberOf(state.Instance, state.Row, state.Second));
+    bool isTied = false;
+    [branch]
+    if (farther == 0.0 && state.Instance != NO_INSTANCE)
+        isTied = IsBefore(NumberOf(instance, row, isSecond), NumberOf(state.Instance, state.Row, state.Second));
     if (farther >= 0.0 && !isTied)
         return;
     state.RefinedDistance = toHit;
@@ -209,11 +211,16 @@ void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint ro
 // would load the numbers of both for every pair.
 void DecideTie(inout TraversalState state)
 {
-    if (state.Tied.x != NO_INSTANCE && IsBefore(state.Tied, NumberOf(state.Instance, state.Row, state.Second)))
+    [branch]
+    if (state.Tied.x != NO_INSTANCE)
     {
-        state.Instance = state.Tied.x;
-        state.Row = state.Tied.y / 2;
-        state.Second = (state.Tied.y & 1) != 0;
+        [branch]
+        if (IsBefore(state.Tied, NumberOf(state.Instance, state.Row, state.Second)))
+        {
+            state.Instance = state.Tied.x;
+            state.Row = state.Tied.y / 2;
+            state.Second = (state.Tied.y & 1) != 0;
+        }
     }
 }
 

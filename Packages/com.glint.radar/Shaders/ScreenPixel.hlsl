@@ -9,7 +9,7 @@
 
 StructuredBuffer<float2> _ShownVideo;      // _Video of ScreenReceiver.hlsl
 
-static const float SCREEN_PIXEL_SPOKES = 64.0; // that a pixel shows at most, to each side
+static const float SCREEN_PIXEL_SPOKES = 512.0; // that a pixel shows at most, to each side
 static const uint TRAIL_SIDE = 1024;       // pixels after which the map of trails repeats
 static const float TRAIL_RADIUS = 480.0;   // its pixels in the range scale
 

@@ -36,13 +36,16 @@ StructuredBuffer<SeaTile> _SeaTiles;
 StructuredBuffer<float4> _SeaVelocities;   // of the facets of a tile, in its frame, m/s; only if _SeaElapsed is not 0
 float _SeaElapsed;                         // time since the moment of the mesh, s
 float _SeaWaveNumber;                      // of the Bragg waves' motion: the same for all frequencies of a band
+float2 _SeaTurns;                          // of the echo's phase for each metre of range: the first 12 bits, and the rest
+int _SeaMoment;                            // whole coherence times
 uint4 _SeaRange;                           // items of a tile; first and number of this dispatch; seed of the speckle
 
 // An item is a facet of a tile near the radar; of one that is far a group of cells, or a breaking facet.
 StructuredBuffer<uint> _SeaBreaking;       // numbers of the breaking facets of a tile
 uint4 _SeaGroup;                           // cells along a side of a group, a power of 2; groups and cells along a side of
                                            // the tile; first tile of this dispatch
-float4 _SeaTime;                           // time: s; in coherence times, whole and fraction; exponent of ApproachShare
+float4 _SeaTime;                           // time, s: a whole number near that of the mesh, and the rest; fraction of a
+                                           // coherence time; exponent of ApproachShare
 
 // Cells of the ground whose echoes are summed apart. Each cell has copies of its sums, which reduce contention.
 float4 _SeaCellX, _SeaCellY;               // place in cells: dot(xyz, position) + w
@@ -87,14 +90,23 @@ uint FacetOf(uint item, SeaTile tile, out float count)
 // The speckle of a facet now: Bragg waves that run towards the radar, and away from it.
 float2 SpeckleOf(uint facet, SeaTile tile, Receiver radar)
 {
-    float4 numbers = SpeckleBetween(int2(facet, tile.Number), _SeaRange.w, (int)_SeaTime.y, _SeaTime.z);
+    float4 numbers = SpeckleBetween(int2(facet, tile.Number), _SeaRange.w, _SeaMoment, _SeaTime.z);
     float windCosine = ToWind(radar.Direction).x, sine = sqrt(saturate(1.0 - radar.Direction.y * radar.Direction.y));
     float ratio = max(0.0, 1.0 - windCosine) / max(1.0e-6, 1.0 + windCosine);
     float approaching = 1.0 / (1.0 + pow(ratio, _SeaTime.w));
     float bragg = 2.0 * _SeaWaveNumber * sine;
-    float2 turn = PhasorOf(sqrt(GRAVITY * bragg + TENSION * bragg * bragg * bragg) * _SeaTime.x);
+    float rate = sqrt(GRAVITY * bragg + TENSION * bragg * bragg * bragg);
+    // Of large times the rounding is the same at each moment of a pose.
+    float2 turn = ComplexMul(PhasorOf(rate * _SeaTime.x), PhasorOf(rate * _SeaTime.y));
     return sqrt(approaching) * ComplexMul(numbers.xy, turn)
         + sqrt(1.0 - approaching) * ComplexMul(numbers.zw, float2(turn.x, -turn.y));
+}
+
+// The phasor of a range out and back. Of a long range float32 has no phase: the product of the first bits is exact.
+float2 WaveOver(float range)
+{
+    float first = asfloat(asuint(range) & 0xfffff000), turns = frac(_SeaTurns.x * first);
+    return Phasor(frac(turns + _SeaTurns.x * (range - first) + _SeaTurns.y * range));
 }
 
 // No shadow ray is followed from a facet that looks away.
@@ -154,14 +166,15 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (_SeaLevelCount > 0)
         sigma *= LevelAt(sine, 0);
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;
-    float nearer = radar.Phase;
+    float2 wave = WaveOver(radar.Phase);
     if (_SeaElapsed != 0.0)
     {
         float3 velocity = _SeaVelocities[facetNumber].xyz;
-        nearer += _SeaElapsed * dot(radar.Direction,
+        float nearer = _SeaElapsed * dot(radar.Direction,
             float3(dot(tile.X.xyz, velocity), dot(tile.Y.xyz, velocity), dot(tile.Z.xyz, velocity)));
+        wave = ComplexMul(wave, PhasorOf(2.0 * _WaveNumber * nearer));
     }
-    float2 field = ComplexMul(SpeckleOf(facetNumber, tile, radar), PhasorOf(2.0 * _WaveNumber * nearer));
+    float2 field = ComplexMul(SpeckleOf(facetNumber, tile, radar), wave);
     [unroll]
     for (uint i = 0; i < 3; i++)
     {

@@ -41,8 +41,11 @@ void CountGroups()
 void ChooseSubRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint entry = CandidateOf(IndexOf(group, thread));
-    if (entry != NO_CANDIDATE && _Candidates[entry].x != NO_PIXEL)
-        ChooseAround(_Candidates[entry].x);
+    if (entry == NO_CANDIDATE)
+        return;
+    uint pixel = _Candidates[entry].x;
+    if (pixel != NO_PIXEL)
+        ChooseAround(pixel);
 }
 
 // Removes the lengths of the received rays: one thread a candidate.
@@ -50,8 +53,11 @@ void ChooseSubRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void ForgetLengths(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint entry = CandidateOf(IndexOf(group, thread));
-    if (entry != NO_CANDIDATE && _Candidates[entry].x != NO_PIXEL)
-        _Lengths[InRegion(_Candidates[entry].x)] = NO_LENGTH;
+    if (entry == NO_CANDIDATE)
+        return;
+    uint pixel = _Candidates[entry].x;
+    if (pixel != NO_PIXEL)
+        _Lengths[InRegion(pixel)] = NO_LENGTH;
 }
 
 #endif

@@ -15,7 +15,9 @@ RWStructuredBuffer<uint> _ChosenPixels;
 // Length of the received ray of a position in the picture; NO_LENGTH if there is none.
 uint LengthAt(int2 at)
 {
-    return IsInRegion(at) ? _Lengths[InRegion((uint)at.x + (uint)at.y * _RaysAcross)] : NO_LENGTH;
+    bool isInRegion = IsInRegion(at);
+    uint number = _Lengths[isInRegion ? InRegion((uint)at.x + (uint)at.y * _RaysAcross) : 0]; // both sides of ? are evaluated
+    return isInRegion ? number : NO_LENGTH;
 }
 
 // The eight neighbours of a position: below it from the left, beside it, above it from the left.

@@ -40,7 +40,8 @@ static const uint EDGE_BISECTIONS = 8;
 float AngleAround(EdgePiece piece, float3 direction)
 {
     float2 at = float2(dot(direction, piece.Into), dot(direction, cross(piece.Along, piece.Into)));
-    float angle = atan2(at.y, at.x);
+    // Along the edge there is no angle, and FXC's arc tangent of nothing is no number.
+    float angle = any(at != 0.0) ? atan2(at.y, at.x) : 0.0;
     angle = angle < 0.0 ? angle + TWO_PI : angle;
     // A device's own arc tangent may be off by 1e-5.
     float2 wave = PhasorOf(angle);

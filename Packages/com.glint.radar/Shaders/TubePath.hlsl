@@ -78,9 +78,9 @@ TubePath BeginTube(float2 position)
     float size = length(whole);
     float3 d = whole / size;
     TubePath tube = (TubePath)0;
-    // What the ray is longer up to the grid than the view axis, for each metre of it; at a finite range without
-    // cancellation: the axis is along GridDepth.
-    float longer = size - 1.0;
+    // What the ray is longer up to the grid than the view axis, for each metre of it, without cancellation: the axis is
+    // along GridDepth. Parallel rays are as long.
+    float longer = 0.0;
     if (_IsNear != 0)
     {
         float3 aside = cross(whole, normalize(pose.GridDepth.xyz));

@@ -107,6 +107,21 @@ namespace Glint.Tests
             Assert.That((echoes[1].S.VV - echoes[0].S.VV).Magnitude, Is.GreaterThan(0.2 * echoes[0].S.VV.Magnitude));
         }
 
+        // A day after the start float32 has 8 ms, a turn of Bragg waves 65 ms and the coherence time some: what a pulse
+        // adds to the change since the one before is small.
+        [Test]
+        public void Trace_OfPulsesLateInTheDay_IsSmooth()
+        {
+            var sea = new TestSea(8, 32, 16, 20, 0);
+            var pose = sea.Pose(35, 60, sea.Clutter.At(86400));
+            (pose.Times, pose.ToleranceDb) = (new[] { 0, 1e-3, 2e-3, 3e-3, 4e-3 }, 10);
+            var field = Tracer.Trace(pose).Clutter.Select(echo => echo.S.VV).ToArray();
+            double size = field.Max(value => value.Magnitude);
+            for (int i = 2; i < field.Length; i++)
+                Assert.That((field[i] - 2 * field[i - 1] + field[i - 2]).Magnitude, Is.LessThan(0.1 * size));
+            Assert.That((field[4] - field[0]).Magnitude, Is.GreaterThan(0.1 * size));
+        }
+
         static Complex FieldOf(TestSea sea, SeaClutter clutter, CrossSectionPose pose, double frequency, double time)
         {
             var velocities = clutter.FacetVelocities;

@@ -129,6 +129,25 @@ namespace Glint.Tests
             AssertNear(Sum(pose), all);
         }
 
+        // One that leans so far that it lights the sea below it from straight above: mirror points throw the light back
+        // to the plate.
+        [Test]
+        public void Sum_APlateThatLightsTheSeaFromAbove_IsThatOfTheImagesWithTheirMirrorPoints()
+        {
+            var (pose, clutter, plate) = PlateOverASea(0, 37, 15, 0);
+            var water = clutter.Surface.Reflection(pose.Radar.ToRadar.y, TenGigahertz);
+            double3 toImage = Mirrored(pose.Radar.ToRadar, s_up), imageV = Mirrored(pose.Radar.Up, s_up);
+            var fromWater = new[]
+            {
+                new SurfaceWave(toImage, imageV, pose.Radar.Right, -water.P, 0),
+                new SurfaceWave(toImage, imageV, pose.Radar.Right, 0, water.S)
+            };
+            SurfaceWave[] byPlate = Mirrored(WavesOf(pose.Radar), plate), byBoth = Mirrored(fromWater, plate);
+            Assert.That(byPlate[0].Towards.y, Is.GreaterThan(0.999));
+            AssertNear(Sum(pose), LitBy(pose.Radar.ToRadar, byPlate, plate) * Between(clutter, pose.Radar, byPlate)
+                + LitBy(toImage, byBoth, plate) * Between(clutter, pose.Radar, byBoth));
+        }
+
         // A sea that breaks everywhere: mirror points of a slope variance of 0.19 and a pedestal, without loss.
         [TestCase(40, 30)]
         [TestCase(5, 20)]
@@ -237,13 +256,24 @@ namespace Glint.Tests
                 table.Unresolved, table.Covariance);
             double ByMirrors(int p, int q) => mirrors
                 * Squared(scattering.Mirrored(direct[p], byPlate[q]) + scattering.Mirrored(direct[q], byPlate[p]));
-            return 1 / weights * sum + new Sigma0(ByMirrors(1, 1), ByMirrors(0, 0), ByMirrors(1, 0));
+            // Back to the image in the polarisation sent, with the power that the image's waves carry.
+            double specular = (1 - loss * loss) * new SeaScattering(TenGigahertz, s_water, s_waves.Density)
+                .Specular(s_up, image, clutter.Wind, table.Unresolved, table.Covariance);
+            double BackFrom(int p) => specular * Math.Pow(PowerOf(byPlate[p]), 2);
+            return 1 / weights * sum + new Sigma0(ByMirrors(1, 1) + BackFrom(1), ByMirrors(0, 0) + BackFrom(0),
+                ByMirrors(1, 0));
         }
 
         static SurfaceWave[] WavesOf(RadarAspect radar) => WavesOf(radar.ToRadar, radar.Up, radar.Right);
 
         static SurfaceWave[] WavesOf(double3 towards, double3 v, double3 h) =>
             new[] { new SurfaceWave(towards, v, h, 1, 0), new SurfaceWave(towards, v, h, 0, 1) };
+
+        static double PowerOf(SurfaceWave wave)
+        {
+            double3 v = VerticalOf(wave.Towards);
+            return Squared(wave.Along(v)) + Squared(wave.Along(math.cross(v, wave.Towards)));
+        }
 
         static double3 VerticalOf(double3 towards) => math.normalize(s_up - towards.y * towards);
 

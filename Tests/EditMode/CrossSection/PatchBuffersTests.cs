@@ -20,5 +20,23 @@ namespace Glint.Tests
             Assert.That(patches.MeshCount, Is.EqualTo(1));
             Assert.That(patches.OfInstances[0].PatchOf.Length, Is.EqualTo(sea.TriangleCount));
         }
+
+        // Objects have their own numbers: tiles of a sea by the thousand. Another material ends patches elsewhere.
+        [Test]
+        public void Set_OfAMeshThatRepeats_FindsItsPatchesOnceForEachMaterial()
+        {
+            using var patches = new PatchBuffers();
+            var sea = TestMeshes.Sea(3, 3);
+            MeshInstance Of(params MeshRange[] ranges) =>
+                new MeshInstance { Mesh = sea, ToWorld = Affine.Identity, Ranges = ranges };
+            patches.Set(new RadarScene(Of(new MeshRange(0, 0, 0)), Of(new MeshRange(0, 1, 0))), 20);
+            Assert.That(patches.OfInstances[1], Is.SameAs(patches.OfInstances[0]));
+            Assert.That(patches.NormalFields.Buffer.count, Is.LessThanOrEqualTo(3 * sea.TriangleCount));
+            patches.Set(new RadarScene(Of(new MeshRange(0, 0, 0)), Of(new MeshRange(0, 1, 0), new MeshRange(8, 1, 1)))
+            {
+                Surfaces = new[] { SurfaceMaterial.PerfectConductor, new SurfaceMaterial("other") }
+            }, 20);
+            Assert.That(patches.OfInstances[1].PatchCount, Is.EqualTo(1 + patches.OfInstances[0].PatchCount));
+        }
     }
 }

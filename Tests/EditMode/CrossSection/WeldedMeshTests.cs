@@ -52,6 +52,23 @@ namespace Glint.Tests
             Assert.That(Enumerable.Range(0, 15).Select(welded.Across), Is.All.EqualTo(WeldedMesh.None));
         }
 
+        // As of an object that is twice in one place: rays hit the first of equal triangles.
+        [Test]
+        public void Box_TwiceInOnePlace_HasTheEdgesOfOne()
+        {
+            var box = new TriangleMesh(Solid.BoxVertices(1, 2, 3), Solid.BoxIndices);
+            var twice = TestMeshes.Soup(new TriangleMesh(box.Vertices,
+                Solid.BoxIndices.Concat(Solid.BoxIndices).ToArray()));
+            WeldedMesh one = new WeldedMesh(TestMeshes.Soup(box)), welded = new WeldedMesh(twice);
+
+            Assert.That((welded.EdgeCount, welded.OpenEdgeCount), Is.EqualTo((one.EdgeCount, 0)));
+            Assert.That(Enumerable.Range(0, 36).Select(welded.Across),
+                Is.EqualTo(Enumerable.Range(0, 36).Select(one.Across)));
+            Assert.That(Enumerable.Range(0, 24).Select(welded.IsDegenerate),
+                Is.EqualTo(Enumerable.Range(0, 24).Select(triangle => triangle >= 12)));
+            Assert.That(SurfacePatches.Find(twice).PatchCount, Is.EqualTo(6));
+        }
+
         // The limit is twice what is asked of one thread, whose caches tests share.
         [Test]
         public void HalfAMillionTriangles_WithoutSharedVertices_AreWeldedInASecond()

@@ -231,6 +231,16 @@ namespace Glint.Tests
             Assert.That(result.Undersampled, Is.False);
         }
 
+        // The points of their paths are more than a buffer of 128 MiB holds of the usual number of paths.
+        [Test]
+        public void MaxBounces_AreTraced()
+        {
+            var pose = Pose(CornerReflector.Turned(0), CornerReflector.View, 1);
+            double four = _tracer.Trace(pose).NormalisedAmplitude;
+            pose.Settings.MaxBounces = RadarSettings.BounceLimit;
+            Assert.That(_tracer.Trace(pose).NormalisedAmplitude, Is.EqualTo(four).Within(15).Percent);
+        }
+
         [TestCase(-0.1)]
         [TestCase(1e-6)]
         [TestCase(11)]

@@ -48,6 +48,21 @@ namespace Glint.Tests
             Assert.That(moved.Radius, Is.EqualTo(setup.Radius).Within(1e-7), "a plate's box turns with its diagonal");
         }
 
+        // The extent of the water says nothing of the target.
+        [Test]
+        public void Floor_OfASceneWithASea_IsThatOfTheRest()
+        {
+            MeshInstance Instance(TriangleMesh mesh) => new MeshInstance { Mesh = mesh, ToWorld = Affine.Identity };
+            MeshInstance plate = Instance(CrossSectionTargets.Plate(0.3, 0.2)), water = Instance(TestMeshes.Sea(20, 20));
+            RadarScene Of(params MeshInstance[] instances) => new RadarScene(instances)
+            {
+                Seas = new[] { new RadarSea(null, new[] { new SeaTileInstance(0, 0) }) }
+            };
+            Assert.That(new CrossSectionSetup(Of(water, plate), s_plan).FloorDbsm, Is.EqualTo(-49.9097).Within(1e-4));
+            Assert.That(new CrossSectionSetup(Of(water), s_plan).FloorDbsm,
+                Is.EqualTo(new CrossSectionSetup(new RadarScene(water.Mesh), s_plan).FloorDbsm).Within(1e-9));
+        }
+
         // 2 pi f / c times the size, 2^-24 of it, is what the tolerance allows: for 0.1 dB and 1 km 9.27 GHz.
         [TestCase(0.1, 9.27e9)]
         [TestCase(0.01, 0.922e9)]

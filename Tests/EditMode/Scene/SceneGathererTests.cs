@@ -45,6 +45,59 @@ namespace Glint.Tests
             Assert.That(distance(boxMin, -boxMax), Is.LessThan(1e-5f));
         }
 
+        // Two sheets bent by 15 deg, stretched by 3: 2 atan(3 tan(7.5 deg)) = 43.1 deg are a crease.
+        [TestCase(false)]
+        [TestCase(true)]
+        public void Gather_ABendThatIsStretched_HasPatchesOfTheBendInTheScene(bool moves)
+        {
+            float rise = tan(radians(7.5f));
+            var mesh = new Mesh { name = "Bend" };
+            mesh.vertices = new[]
+            {
+                new Vector3(-1, -rise, 0), new Vector3(-1, -rise, 1), new Vector3(0, 0, 0), new Vector3(0, 0, 1),
+                new Vector3(1, -rise, 0), new Vector3(1, -rise, 1)
+            };
+            mesh.triangles = new[] { 0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5 };
+            AddMesh(mesh);
+            var item = _root.GetChild(0);
+            item.localScale = new Vector3(1, 3, 1);
+            int PatchCount(RadarScene scene) => SurfacePatches.Find(scene.Instances.Single().Mesh).PatchCount;
+            Assert.That(PatchCount(Gather()), Is.EqualTo(2));
+            if (!moves)
+                return;
+            item.localRotation = Quaternion.Euler(0, 30, 0);
+            var turned = Gather().Instances.Single().Mesh;
+            item.localRotation = Quaternion.Euler(0, 60, 0);
+            Assert.That(Gather().Instances.Single().Mesh, Is.SameAs(turned), "its vertices are not made again");
+        }
+
+        // A file that was deleted: the surface would count as metal.
+        [Test]
+        public void Gather_ASurfaceWhoseMaterialIsGone_IsRefused()
+        {
+            var surface = AddPrimitive(PrimitiveType.Cube).gameObject.AddComponent<RadarSurface>();
+            surface.name = "Hull";
+            Assert.That(Gather().TriangleCount, Is.EqualTo(12), "none was assigned");
+            surface.Material = ScriptableObject.CreateInstance<RadarMaterial>();
+            Gather();
+            Object.DestroyImmediate(surface.Material);
+            Assert.That(Assert.Throws<GlintException>(() => Gather()).Message, Is.EqualTo("RadarSurface of 'Hull' "
+                + "refers to a radar material that is gone: assign another one, or None for a perfect conductor"));
+        }
+
+        [Test]
+        public void Gather_ASurfaceOfASubmeshThatTheMeshLacks_IsWarnedOf()
+        {
+            var surface = AddPrimitive(PrimitiveType.Cube).gameObject.AddComponent<RadarSurface>();
+            (surface.name, surface.Submesh) = ("Hull", 0);
+            Gather();
+            Assert.That(_gatherer.Warnings, Is.Empty);
+            surface.Submesh = 1;
+            Gather();
+            Assert.That(_gatherer.Warnings.Single(),
+                Does.StartWith("RadarSurface of 'Hull' is that of submesh 1, and mesh 'Cube").And.Contain("has 1,"));
+        }
+
         [Test]
         public void Gather_MirroredObject_IsMirrored()
         {

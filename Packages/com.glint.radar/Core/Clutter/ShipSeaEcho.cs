@@ -159,7 +159,7 @@ namespace Glint.Core
             var scattering = ScatteringOf(clutter);
             double3 normal = Tilted(light.Normal, clutter, number), towards = -light.Direction;
             double ripples = scattering.RipplePower(towards, light.ToRadar, normal, clutter.Wind, GrowthOf(light, clutter)),
-                mirrors = MirrorsOf(light, clutter);
+                mirrors = MirrorsOf(light, clutter, light.ToRadar);
             double3 coupled = ripples == 0 ? 0 : ripples * PowersOf((received, sent) =>
                     scattering.Coupling(direct[received], byShip[sent], normal)
                         + scattering.Coupling(byShip[received], direct[sent], normal)),
@@ -178,9 +178,13 @@ namespace Glint.Core
                     BistaticScattering.MirroredWhole(byShip[received], byShip[sent]));
             var scattering = ScatteringOf(clutter);
             double3 normal = Tilted(light.Normal, clutter, number);
-            double ripples = scattering.RipplePower(towards, towards, normal, clutter.Wind, GrowthOf(light, clutter));
-            return ripples == 0 ? 0 : ripples * PowersOf((received, sent) =>
-                scattering.Coupling(byShip[received], byShip[sent], normal));
+            double ripples = scattering.RipplePower(towards, towards, normal, clutter.Wind, GrowthOf(light, clutter)),
+                mirrors = MirrorsOf(light, clutter, towards);
+            double3 coupled = ripples == 0 ? 0 : ripples * PowersOf((received, sent) =>
+                    scattering.Coupling(byShip[received], byShip[sent], normal)),
+                mirrored = mirrors == 0 ? 0 : mirrors * PowersOf((received, sent) =>
+                    scattering.Mirrored(byShip[received], byShip[sent]));
+            return coupled + mirrored;
         }
 
         // Of fields by the polarisations received and sent, 0: V, 1: H. VV, HV and HH.
@@ -188,10 +192,10 @@ namespace Glint.Core
             new double3(Squared(field(0, 0)), Squared(field(1, 0)), Squared(field(1, 1)));
 
         // The part of the mirrored power that unresolved heights take from the mirrored field.
-        double MirrorsOf(in SeaLight light, SeaClutter clutter)
+        double MirrorsOf(in SeaLight light, SeaClutter clutter, double3 to)
         {
             var table = clutter.TableAt(_pose.CoefficientFrequency);
-            double density = BistaticScattering.MirrorDensity(-light.Direction, light.ToRadar, light.Normal, clutter.Wind,
+            double density = BistaticScattering.MirrorDensity(-light.Direction, to, light.Normal, clutter.Wind,
                 table.Unresolved, table.Covariance);
             double loss = RoughnessLoss.MillerBrown(2 * Math.PI / Signal.Wavelength(_pose.CoefficientFrequency)
                 * clutter.ShortWaves.Height * -math.dot(light.Direction, light.Normal));

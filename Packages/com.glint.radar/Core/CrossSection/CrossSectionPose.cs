@@ -176,6 +176,13 @@ namespace Glint.Core
         /// <summary>The floor of a target in a box, dBsm.</summary>
         public static double Of(double3 boxMin, double3 boxMax) =>
             10 * Math.Log10(Math.PI * math.lengthsq(boxMax - boxMin) / 4) - Decibels;
+
+        /// <summary>The floor of a scene in a box, dBsm: that of its target.</summary>
+        public static double Of(RadarScene scene, double3 boxMin, double3 boxMax)
+        {
+            var (targetMin, targetMax) = scene.BoundTarget((boxMin, boxMax));
+            return Of(targetMin, targetMax);
+        }
     }
 
     /// <summary>Direction and polarisations of a radar that looks at the phase centre.</summary>

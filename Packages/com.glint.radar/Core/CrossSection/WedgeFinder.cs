@@ -34,13 +34,17 @@ namespace Glint.Core
     /// sheet. So two thin plates that meet are two wedges, one within the corner and one behind it; the edge of a box
     /// is one; a plate that ends is one of 2 pi; three plates that meet are three. Angles that differ from pi by no
     /// more than the crease angle are a smooth surface, and none. Open edges of different triangles that lie on each
-    /// other within <see cref="RelativeTolerance"/> of the scene's size are one edge over the length that they share.
+    /// other within <see cref="RelativeTolerance"/> of the target's size, <see cref="MaxTolerance"/> at most, are one
+    /// edge over the length that they share.
     /// An open edge that lies on a face, away from its edges, remains the end of a plate.
     /// </remarks>
     public sealed class WedgeFinder
     {
-        /// <summary>Maximum distance of edges that are one, in the diagonal of the scene's box.</summary>
+        /// <summary>Maximum distance of edges that are one, in the diagonal of the box around what is no sea.</summary>
         public const double RelativeTolerance = 2e-5;
+
+        /// <summary>Maximum distance of edges that are one, metres: of a land of kilometres too.</summary>
+        public const double MaxTolerance = 5e-3;
 
         // Faces that are nearer to each other, in radians, are two sides of one sheet.
         const double MinAngle = 1e-3;
@@ -64,7 +68,9 @@ namespace Glint.Core
             var (boxMin, boxMax) = Bound();
             double3 centre = (boxMin + boxMax) / 2;
             double size = math.distance(boxMin, boxMax);
-            _pieces = OpenEdges.Join(_placed, RelativeTolerance * size, centre, out _gap);
+            var (targetMin, targetMax) = scene.BoundTarget((boxMin, boxMax));
+            double tolerance = Math.Min(MaxTolerance, RelativeTolerance * math.distance(targetMin, targetMax));
+            _pieces = OpenEdges.Join(_placed, tolerance, centre, out _gap);
             AddCreases();
             _sides = new BodySides(_placed, _pieces, size, centre);
         }

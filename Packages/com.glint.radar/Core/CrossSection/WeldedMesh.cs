@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Threading;
 using Unity.Mathematics;
 
@@ -13,8 +14,9 @@ namespace Glint.Core
         /// <summary>The edge of a side of a degenerate triangle.</summary>
         public const int None = TriangleEdges.None;
 
-        readonly int[] _sides;  // grouped by edge
-        readonly int[] _firsts; // for each edge its first place in _sides, and the end
+        int[] _sides;  // grouped by edge
+        int[] _firsts; // for each edge its first place in _sides, and the end
+        readonly bool[] _used;
 
         /// <summary>Welds a mesh and finds its edges.</summary>
         /// <param name="mesh">Kept, not copied.</param>
@@ -24,14 +26,24 @@ namespace Glint.Core
         {
             Mesh = mesh;
             Corners = Weld(mesh, cancel);
-            var used = new bool[mesh.TriangleCount];
-            Blocks.For(used.Length, (from, to) =>
+            _used = new bool[mesh.TriangleCount];
+            Blocks.For(_used.Length, (from, to) =>
             {
                 for (int t = from; t < to; t++)
-                    used[t] = !IsDegenerate(t);
+                    _used[t] = !IsFlat(t);
             }, cancel);
-            _sides = TriangleEdges.Sort(Corners, mesh.Vertices.Length, used, out _, cancel);
             EdgeOf = new int[Corners.Length];
+            FindEdges(cancel);
+            if (LeaveOutRepeats())
+                FindEdges(cancel);
+            for (int edge = 0; edge < EdgeCount; edge++)
+                OpenEdgeCount += SideCount(edge) == 1 ? 1 : 0;
+        }
+
+        void FindEdges(CancellationToken cancel)
+        {
+            _sides = TriangleEdges.Sort(Corners, Mesh.Vertices.Length, _used, out _, cancel);
+            EdgeCount = 0;
             Array.Fill(EdgeOf, None);
             var firsts = new int[_sides.Length + 1];
             for (int i = 0; i < _sides.Length; i++)
@@ -43,8 +55,24 @@ namespace Glint.Core
             firsts[EdgeCount] = _sides.Length;
             Array.Resize(ref firsts, EdgeCount + 1);
             _firsts = firsts;
+        }
+
+        // Of triangles with the same corners, as of an object that is twice in one place, rays hit the first.
+        bool LeaveOutRepeats()
+        {
+            bool hasRepeats = false;
+            var opposites = new HashSet<int>();
             for (int edge = 0; edge < EdgeCount; edge++)
-                OpenEdgeCount += SideCount(edge) == 1 ? 1 : 0;
+            {
+                opposites.Clear();
+                for (int i = 0, count = SideCount(edge); count > 2 && i < count; i++)
+                    if (!opposites.Add(Corners[Opposite(SideOf(edge, i))]))
+                    {
+                        _used[SideOf(edge, i) / 3] = false;
+                        hasRepeats = true;
+                    }
+            }
+            return hasRepeats;
         }
 
         /// <summary>The mesh.</summary>
@@ -56,7 +84,7 @@ namespace Glint.Core
         public int[] Corners { get; }
 
         /// <summary>Number of edges.</summary>
-        public int EdgeCount { get; }
+        public int EdgeCount { get; private set; }
 
         /// <summary>Edges of one triangle: borders of an open mesh.</summary>
         public int OpenEdgeCount { get; }
@@ -86,8 +114,13 @@ namespace Glint.Core
             return first == side ? SideOf(edge, 1) : first;
         }
 
-        /// <summary>Whether two corners of a triangle are one vertex. Such triangles have no edges.</summary>
-        public bool IsDegenerate(int triangle)
+        /// <summary>
+        /// Whether two corners of a triangle are one vertex, or an earlier triangle has the same corners. Such
+        /// triangles have no edges.
+        /// </summary>
+        public bool IsDegenerate(int triangle) => !_used[triangle];
+
+        bool IsFlat(int triangle)
         {
             int a = Corners[3 * triangle], b = Corners[3 * triangle + 1], c = Corners[3 * triangle + 2];
             return a == b || b == c || c == a;

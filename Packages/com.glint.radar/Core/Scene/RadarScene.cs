@@ -47,11 +47,27 @@ namespace Glint.Core
             && Seas.SequenceEqual(other.Seas);
 
         /// <summary>The box around all triangles, metres; its corners are infinite if there are none.</summary>
-        public (double3 Min, double3 Max) Bound()
+        public (double3 Min, double3 Max) Bound() => Bound(Instances);
+
+        /// <summary>
+        /// The box around what is no sea, metres: the size of the target, whatever the extent of the water around it.
+        /// Of seas alone, and without any, that around all triangles.
+        /// </summary>
+        /// <param name="all">The box around all triangles.</param>
+        public (double3 Min, double3 Max) BoundTarget((double3 Min, double3 Max) all)
+        {
+            if (Seas.Count == 0)
+                return all;
+            var tiles = new HashSet<int>(Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
+            var others = Instances.Where((instance, number) => !tiles.Contains(number)).ToArray();
+            return others.Length == 0 ? all : Bound(others);
+        }
+
+        static (double3 Min, double3 Max) Bound(MeshInstance[] instances)
         {
             double3 boxMin = double.PositiveInfinity, boxMax = double.NegativeInfinity;
             // Tiles of a sea have one mesh and one direction.
-            foreach (var group in Instances.GroupBy(it => (it.Mesh, it.ToWorld.X, it.ToWorld.Y, it.ToWorld.Z)))
+            foreach (var group in instances.GroupBy(it => (it.Mesh, it.ToWorld.X, it.ToWorld.Y, it.ToWorld.Z)))
             {
                 var toWorld = group.First().ToWorld;
                 double3 low = double.PositiveInfinity, high = double.NegativeInfinity;

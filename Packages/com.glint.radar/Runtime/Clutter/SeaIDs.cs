@@ -17,6 +17,8 @@ namespace Glint
         public static readonly int _SeaGroup = Shader.PropertyToID("_SeaGroup");
         public static readonly int _SeaRange = Shader.PropertyToID("_SeaRange");
         public static readonly int _SeaWind = Shader.PropertyToID("_SeaWind");
+        public static readonly int _SeaTurns = Shader.PropertyToID("_SeaTurns");
+        public static readonly int _SeaMoment = Shader.PropertyToID("_SeaMoment");
         public static readonly int _SeaTime = Shader.PropertyToID("_SeaTime");
         public static readonly int _SeaMirror = Shader.PropertyToID("_SeaMirror");
         public static readonly int _SeaLevels = Shader.PropertyToID("_SeaLevels");

@@ -17,6 +17,9 @@ namespace Glint
         // Of a shadow ray's start above its facet, as a fraction of the scene's size: several roundings of float32.
         const double RelativeOffset = 1e-6;
 
+        // The time of waves is a whole number of these, and a rest of which float32 has microseconds.
+        const double SecondsAnEpoch = 16;
+
         readonly string _owner;
         readonly ComputeShader _shader;
         readonly int _clear, _facets;
@@ -136,8 +139,13 @@ namespace Glint
             // One speckle for all frequencies of a band: it is the sea's.
             double centre = pose.BandCentre ?? frequency, now = clutter.Time + time,
                 times = now / clutter.CoherenceTimeAt(centre), whole = Math.Floor(times);
-            _shader.SetVector(SeaIDs._SeaTime, new Vector4((float)now, (float)whole, (float)(times - whole),
+            double epoch = SecondsAnEpoch * Math.Floor(clutter.Time / SecondsAnEpoch),
+                turns = 2 / Signal.Wavelength(frequency);
+            float first = math.asfloat(math.asuint((float)turns) & 0xfffff000);
+            _shader.SetVector(SeaIDs._SeaTime, new Vector4((float)epoch, (float)(now - epoch), (float)(times - whole),
                 (float)SeaClutter.ApproachingExponent));
+            _shader.SetInt(SeaIDs._SeaMoment, unchecked((int)(long)whole));
+            _shader.SetVector(SeaIDs._SeaTurns, new Vector4(first, (float)(turns - first)));
             _shader.SetFloat(SeaIDs._SeaWaveNumber, (float)(2 * Math.PI / Signal.Wavelength(centre)));
             _shader.SetFloat(SeaIDs._SeaElapsed, (float)time);
             SetFootprint(_shader, pose.Footprint, _scene.Centre);

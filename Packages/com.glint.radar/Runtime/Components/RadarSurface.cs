@@ -23,6 +23,10 @@ namespace Glint
         /// <summary>Material of the surface; null: a perfect conductor.</summary>
         public RadarMaterial Material { get => _material; set => _material = value; }
 
+        // In the editor a reference to an asset that is gone equals null and has a number; one never assigned has none.
+        internal bool HasLostMaterial =>
+            _material == null && !ReferenceEquals(_material, null) && _material.GetInstanceID() != 0;
+
         /// <summary>
         /// Submesh of this object's mesh, from 0; <see cref="AllSubmeshes"/>: the whole object and its children.
         /// </summary>

@@ -25,6 +25,7 @@ namespace Glint
         readonly Lazy<MeshQuality> _quality;
         readonly Lazy<WedgeSet> _wedges;
         readonly Lazy<RadarScene> _onEarth;
+        readonly Lazy<double> _floor;
         SceneAhead _ahead;
 
         /// <summary>The setup of a scene.</summary>
@@ -37,6 +38,7 @@ namespace Glint
             _patches = new Lazy<SurfacePatches[]>(Patches);
             _quality = new Lazy<MeshQuality>(() => MeshQuality.Find(Scene, _patches.Value));
             _wedges = new Lazy<WedgeSet>(() => EdgeBuffers.WedgesOf(PlacedScene, FoundPatches));
+            _floor = new Lazy<double>(() => CrossSectionFloor.Of(scene, BoxMin, BoxMax));
             _onEarth = new Lazy<RadarScene>(() => CurvedEarth.Below(PhaseCentre, Scene));
         }
 
@@ -75,7 +77,7 @@ namespace Glint
         public double? GivenFloorDbsm { get; set; }
 
         /// <summary>The floor, dBsm.</summary>
-        public double FloorDbsm => GivenFloorDbsm ?? CrossSectionFloor.Of(BoxMin, BoxMax);
+        public double FloorDbsm => GivenFloorDbsm ?? _floor.Value;
 
         /// <inheritdoc cref="CrossSectionPose.MaxBounces"/>
         public int MaxBounces { get; set; } = RadarSettings.Default.MaxBounces;

@@ -121,7 +121,7 @@ namespace Glint
                 int most = pose.Scene.Seas.Count > 0 ? 1
                     : Math.Min(PosesTogether, TubeSums.MaxSlots / TubeSums.SlotsOf(pose));
                 if (jobs.Count > 0
-                    && (jobs.Count == most || !TubeTracer.FitsTogether(jobs.Count + 1, largest, _surfaces)))
+                    && (jobs.Count == most || !TubeTracer.FitsTogether(jobs.Count + 1, largest, job.Pose, _surfaces)))
                     break;
                 jobs.Add(job);
             }
@@ -135,7 +135,8 @@ namespace Glint
             var clutter = Clutter(pose, cancel);
             var shipSea = clutter == null ? null : _shipSea.Sum(_scene, _surfaces, pose);
             _tubes.SumAll(jobs, _scene, _surfaces, read => AddTo(jobs, job => job.Edges, read));
-            double floor = Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max), FloorOf(clutter));
+            double floor = Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(pose.Scene, _scene.Min, _scene.Max),
+                FloorOf(clutter));
             TraceEdges(jobs, read => AddTo(jobs, job => job.Edges, read), cancel);
             foreach (var job in jobs)
             {

@@ -82,12 +82,17 @@ namespace Glint
         SurfacePatches PatchesOf(in MeshInstance instance, double creaseDegrees)
         {
             var key = (instance.Mesh, creaseDegrees);
-            if (_patches.TryGetValue(key, out var known) && known.Ranges.SequenceEqual(instance.Ranges))
+            if (_patches.TryGetValue(key, out var known) && AreAlike(known.Ranges, instance.Ranges))
                 return known.Patches;
             var patches = SurfacePatches.Find(instance.Mesh, instance.Ranges, creaseDegrees);
             _patches[key] = (instance.Ranges, patches);
             return patches;
         }
+
+        // Patches depend on the surfaces alone: objects that repeat a mesh share them.
+        static bool AreAlike(MeshRange[] a, MeshRange[] b) => a == b || a != null && b != null
+            && a.Select(range => (range.FirstTriangle, range.Surface))
+                .SequenceEqual(b.Select(range => (range.FirstTriangle, range.Surface)));
 
         // Those of meshes that the scene has no more: a mesh that changes is another one in each pose.
         void DropOthers(RadarScene scene)

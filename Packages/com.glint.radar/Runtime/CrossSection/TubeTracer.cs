@@ -25,8 +25,8 @@ namespace Glint
         // doubled after so many slices that left cells.
         const int PosesAList = 8, SlicesAFactor = 8;
 
-        // Of the marks of all poses of a dispatch, for each of these lists: 64 MB.
-        const long MarkWordsAList = 1 << 24;
+        // Of the marks and links of all poses of a dispatch, for each of these lists: 64 and 128 MB.
+        const long MarkWordsAList = 1 << 24, LinksAList = 1 << 23;
 
         readonly string _owner;
         readonly TubeKernels _kernels;
@@ -52,7 +52,8 @@ namespace Glint
             : Math.Min(PosesAList * (1 + ListFactor), TubeKernels.MaxPoses);
 
         static int ListFactor => SoftwareDevice.IsInUse ? 1
-            : math.clamp(SystemInfo.graphicsMemorySize / MebibytesAList, 1, MaxLists);
+            : math.clamp((int)Math.Min(SystemInfo.graphicsMemorySize / MebibytesAList,
+                Math.Min(DeviceBuffer<Tube>.MaxCount, DeviceBuffer<TubeCell>.MaxCount / 2) / ListElements), 1, MaxLists);
 
         /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         public int CellsADispatch { get; set; }
@@ -65,9 +66,14 @@ namespace Glint
         // Times their bounces.
         int Corners => (int)Math.Min(_factor * CornerElements, DeviceBuffer<TubeCorner>.MaxCount);
 
-        /// <summary>Whether the marks of poses with a grid fit, and a dispatch has a thread for all that is marked.</summary>
-        public static bool FitsTogether(int poses, TubeGrid largest, SurfaceBuffers surfaces) =>
+        /// <summary>
+        /// Whether the marks and links of poses with a grid fit, and a dispatch has a thread for all that is marked.
+        /// </summary>
+        /// <param name="pose">One of them: they are alike.</param>
+        public static bool FitsTogether(int poses, TubeGrid largest, CrossSectionPose pose, SurfaceBuffers surfaces) =>
             (long)poses * TubeKernels.MarkWordsOf(largest) <= ListFactor * MarkWordsAList
+            && (long)poses * (TubeKernels.LinksOf(largest, surfaces) + TubeKernels.LineLinksOf(pose, surfaces))
+                <= Math.Min(DeviceBuffer<uint4>.MaxCount, ListFactor * LinksAList)
             && (long)poses * surfaces.MarkedCount <= KernelCalls.MaxThreads;
 
         /// <summary>Sets the poses, which are alike, and what is summed: S.</summary>

@@ -39,8 +39,9 @@ namespace Glint
         /// <summary>The mesh at the current transform of the group's frame.</summary>
         public MeshInstance MakeInstance(MeshReader reader)
         {
-            // The scale of a lone stretched object is applied to its vertices: a BVH over undistorted shapes is better.
-            if (_parts.Count == 1 && TransformMath.Conditioning(_first.ToScene) >= TransformMath.GoodConditioning)
+            // The scale of a lone stretched object is applied to its vertices: a BVH over undistorted shapes is better,
+            // and bends are compared with the crease angle in the mesh.
+            if (_parts.Count == 1 && TransformMath.Conditioning(_first.ToScene) >= TransformMath.SimilarConditioning)
             {
                 (_mesh, _merged) = (null, new List<Part>());
                 return _parts[0].Source.MakeInstance(_first.ToScene, reader);

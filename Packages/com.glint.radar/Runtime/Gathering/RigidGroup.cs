@@ -36,7 +36,7 @@ namespace Glint
                 ToScene = _frame.FrameToScene();
                 Unit = TransformMath.Unit(ToScene);
                 if (TransformMath.Conditioning(ToScene)
-                    >= (_frame.Moves ? TransformMath.MinConditioning : TransformMath.GoodConditioning))
+                    >= (_frame.Moves ? TransformMath.MinConditioning : TransformMath.SimilarConditioning))
                     return;
             }
             (_frame, ToScene, Unit) = (null, Affine.Identity, 1);

@@ -189,6 +189,10 @@ namespace Glint
             if (skinned.Count > 0)
                 _warnings.Add($"skinned meshes are not traced: '{string.Join("', '", skinned)}'. "
                     + "Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
+            var terrains = Terrains.Seen(layers, roots);
+            if (terrains.Length > 0)
+                _warnings.Add($"terrains are not traced: '{string.Join("', '", terrains)}'. Make meshes of them to "
+                    + "include them");
             _warnings.AddRange(_seas.Warnings);
         }
 
@@ -217,6 +221,10 @@ namespace Glint
                     MeshChanges == MeshChanges.Watched && MeshWatch.IsWatched(mesh), _confirmsLater);
             source.AddObject();
             node.SetSource(source);
+            node.CheckMaterials();
+            if (node.SurfaceBeyond(source.SubmeshTriangles.Length) is RadarSurface unused)
+                _warnings.Add($"RadarSurface of '{unused.name}' is that of submesh {unused.Submesh}, and mesh "
+                    + $"'{mesh.name}' has {source.SubmeshTriangles.Length}, counted from 0: nothing has its material");
             node.ObjectNumber = _objects.Count;
             _seas.Visit(node, renderer);
             _objects.Add((node, renderer));
@@ -326,7 +334,9 @@ namespace Glint
             bool isApart = node.SwapsMesh || source.Version > 0;
             bool isRepeated = source.ObjectCount > 1
                 && source.ObjectCount * (long)source.TriangleCount > MaxMergedTriangles;
-            if ((isApart || isRepeated) && TransformMath.Conditioning(node.ToScene) >= TransformMath.MinConditioning)
+            double conditioning = TransformMath.Conditioning(node.ToScene);
+            if (isApart && conditioning >= TransformMath.SimilarConditioning
+                || isRepeated && conditioning >= TransformMath.MinConditioning)
             {
                 _pieces.Add((null, node));
                 return;

@@ -7,8 +7,10 @@ namespace Glint
     /// <summary>Conditioning and scale of transforms.</summary>
     static class TransformMath
     {
-        /// <summary>Conditioning above which triangles and boxes keep a good shape.</summary>
-        public const double GoodConditioning = 0.1;
+        /// <summary>
+        /// Conditioning of a similarity, but for rounding: angles between facets stay as they are, and so do patches.
+        /// </summary>
+        public const double SimilarConditioning = 0.999;
 
         /// <summary>
         /// Minimum conditioning of a transform through whose inverse rays are transformed: below it they lose too many

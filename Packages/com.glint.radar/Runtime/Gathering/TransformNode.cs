@@ -82,6 +82,27 @@ namespace Glint
                 };
         }
 
+        /// <summary>Refuses a surface of its object whose material is gone.</summary>
+        /// <exception cref="GlintException">A material is gone.</exception>
+        public void CheckMaterials()
+        {
+            var lost = Array.Find(_surfaces, own => own.HasLostMaterial)
+                ?? (_surface != null && _surface.HasLostMaterial ? _surface : null);
+            if (lost != null)
+                throw new GlintException($"RadarSurface of '{lost.name}' refers to a radar material that is gone: assign "
+                    + "another one, or None for a perfect conductor");
+        }
+
+        /// <summary>A surface of a submesh that its object lacks; null: none.</summary>
+        /// <param name="submeshes">Number of submeshes of its mesh.</param>
+        public RadarSurface SurfaceBeyond(int submeshes)
+        {
+            foreach (var own in _surfaces)
+                if (own.Submesh >= submeshes)
+                    return own;
+            return null;
+        }
+
         /// <summary>The material of a submesh of its object.</summary>
         public SurfaceMaterial MaterialOf(int submesh)
         {

@@ -150,11 +150,13 @@ namespace Glint
             _patches.Set(pose.Scene, 0);
             var waveNumber = TubeLists.WaveNumber(pose.Settings.FrequencyHz);
             int capacity = ListCapacity > 0 ? ListCapacity : Math.Max(MinElements, jobs.Length * ElementsAPose),
-                points = Math.Max(MinPoints, jobs.Length * PointsAPose);
+                words = AmplitudeKernels.PointWords(pose.Settings.MaxBounces),
+                points = (int)Math.Min(Math.Max(MinPoints, jobs.Length * PointsAPose),
+                    DeviceBuffer<uint>.MaxCount / words);
             _kernels.SetScenes(_scene, _patches);
             _kernels.SetPoses(jobs, _scene, waveNumber.x);
             _lists.Reserve(AmplitudeSums.OutputSize(jobs.Length), capacity, capacity, new[] { waveNumber });
-            _points.Reserve((long)points * AmplitudeKernels.PointWords(pose.Settings.MaxBounces));
+            _points.Reserve((long)points * words);
             _kernels.Rounds.SetLists(_lists);
             _borderRays.Reserve((long)AmplitudeKernels.BorderRays * capacity);
             _kernels.SetPoints(_points, points, _borderRays);
