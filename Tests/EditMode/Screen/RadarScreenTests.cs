@@ -72,6 +72,20 @@ namespace Glint.Tests
             Assert.That(_screen.AntennaDegrees, Is.EqualTo(134).Within(1e-3));
         }
 
+        // Spokes count from the first pass of north, from which other radars have their bearings.
+        [TestCase(0, 0)]
+        [TestCase(80, -797)]
+        [TestCase(280, -228)]
+        public void Spokes_OfAShipOnACourse_AreCountedFromTheFirstPassOfNorth(float heading, long first)
+        {
+            _screen.OwnShip.rotation = Quaternion.Euler(0, heading, 0);
+            _screen.Advance(0);
+            _screen.Advance(0.1);
+            _screen.ReadFrame(out long spoke);
+            Assert.That(spoke, Is.EqualTo(first));
+            Assert.That(_screen.AntennaDegrees, Is.EqualTo((heading + 14.4) % 360).Within(1e-3));
+        }
+
         [Test]
         public void Reflectors_OfAnyNumber_AreShown()
         {

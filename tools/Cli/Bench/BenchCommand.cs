@@ -24,6 +24,7 @@ sealed class BenchCommand(Terminal terminal)
     {
         OutputFile json = OutputFile.Of(line, Options.Json), sceneFile = OutputFile.Of(line, Options.WriteScene),
             plot = OutputFile.Of(line, Options.Accuracy) ?? OutputFile.Of(line, Options.Tubes);
+        OutputFile.RequireDifferent(json, sceneFile, plot);
         var plots = line.IsGiven(Options.CrossSectionPlots)
             ? OutputFile.In(Options.CrossSectionPlots.Flag, line.Get(Options.CrossSectionPlots), s_crossSectionPlots)
             : null;
@@ -116,7 +117,10 @@ sealed class BenchCommand(Terminal terminal)
         try
         {
             if (peerScene == null && peers.Any(peer => peer.WantsScene))
-                peerScene = WriteTemporary(scene);
+            {
+                peerScene = Path.Combine(Path.GetTempPath(), $"glint-bench-{Guid.NewGuid():N}.bin");
+                WriteTemporary(scene, peerScene);
+            }
             RunRounds(result, peerScene, progress);
         }
         finally
@@ -212,11 +216,17 @@ sealed class BenchCommand(Terminal terminal)
         }
     }
 
-    static string WriteTemporary(RadarScene scene)
+    static void WriteTemporary(RadarScene scene, string path)
     {
-        string path = Path.Combine(Path.GetTempPath(), $"glint-bench-{Guid.NewGuid():N}.bin");
-        using var stream = File.Create(path);
-        BinaryScene.Write(stream, WorldMesh.Of(scene));
-        return path;
+        try
+        {
+            using var stream = File.Create(path);
+            BinaryScene.Write(stream, WorldMesh.Of(scene));
+        }
+        catch (Exception error) when (error is IOException or UnauthorizedAccessException)
+        {
+            throw new GlintException($"{path}: the scene of the peers cannot be written: {error.Message.TrimEnd('.')}; "
+                + $"name a file with {Options.WriteScene.Flag}", error);
+        }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using Glint.Core;
 using Glint.Editor;
@@ -41,6 +42,21 @@ sealed class OutputFile
     {
         Try(flag, folder, () => Directory.CreateDirectory(folder));
         return Array.ConvertAll(names, name => new OutputFile(flag, System.IO.Path.Combine(folder, name)));
+    }
+
+    /// <summary>Refuses two options that name one file.</summary>
+    /// <param name="files">Null for options not given.</param>
+    /// <exception cref="UsageException">Two are one file.</exception>
+    public static void RequireDifferent(params OutputFile[] files)
+    {
+        var seen = new Dictionary<string, OutputFile>();
+        foreach (var file in files)
+        {
+            if (file == null || seen.TryAdd(System.IO.Path.GetFullPath(file._path), file))
+                continue;
+            throw new UsageException($"{file._flag} {file._path}: is the file of "
+                + $"{seen[System.IO.Path.GetFullPath(file._path)]._flag} too: name another file");
+        }
     }
 
     public string Path => _path;

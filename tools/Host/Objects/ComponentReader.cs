@@ -15,7 +15,7 @@ internal static class ComponentReader
                 Fill(camera, record.Fields);
                 break;
             case MeshFilter filter:
-                filter.sharedMesh = links.Mesh(record, isTraced: true);
+                filter.sharedMesh = links.Mesh(record, IsShown(filter));
                 break;
             case MeshRenderer renderer:
                 Fill(renderer, record, links);
@@ -32,6 +32,17 @@ internal static class ComponentReader
                 FieldReader.Fill(script, record, links);
                 break;
         }
+    }
+
+    // Prefabs are in no scene, so that each parent is asked.
+    static bool IsShown(MeshFilter filter)
+    {
+        for (Transform at = filter.transform; at is not null; at = at.parent)
+        {
+            if (!at.gameObject.activeSelf)
+                return false;
+        }
+        return filter.TryGetComponent(out MeshRenderer renderer) && renderer.enabled;
     }
 
     internal static void Fill(Transform target, FieldMap fields)

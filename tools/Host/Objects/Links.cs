@@ -27,11 +27,21 @@ internal sealed class Links : ILinks
             return found;
         _warnings.Add(holder,
             $"{path} refers to {problem}: the field is left empty, and what needs it may fail: assign it again");
-        return null;
+        return typeof(ScriptableObject).IsAssignableFrom(type) ? Lost(type) : null;
+    }
+
+    // As in the editor: it equals null, and has a number.
+    static Object Lost(Type type)
+    {
+        Object lost = ScriptableObject.CreateInstance(type);
+        Object.DestroyImmediate(lost);
+        return lost;
     }
 
     /// <summary>The mesh of a MeshFilter or SkinnedMeshRenderer; null if none is assigned.</summary>
-    /// <param name="isTraced">True for a mesh that is traced: it must exist, since the result depends on it.</param>
+    /// <param name="isTraced">
+    /// True for a mesh that may be traced: it must exist, since the result depends on it.
+    /// </param>
     /// <exception cref="Core.GlintException">A traced mesh is missing.</exception>
     internal Mesh Mesh(ObjectRecord holder, bool isTraced)
     {
@@ -58,6 +68,13 @@ internal sealed class Links : ILinks
         ObjectRecord record = _file.Table.Find(reference.FileId);
         if (record is null && !_file.Table.IsSkipped(reference.FileId))
             problem = $"object &{reference.FileId}, which is not in the file";
+        // Meshes of a scene or prefab itself: those that are used.
+        if (record?.ClassId == ClassId.Mesh && _file.Find(record) is null)
+        {
+            Mesh made = MeshMaker.Make(new MeshRecord(record));
+            made.name = record.Fields.Text("m_Name");
+            _file.Add(record, made);
+        }
         return record is null ? null : _file.Find(record);
     }
 }

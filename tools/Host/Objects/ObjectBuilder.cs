@@ -41,11 +41,12 @@ internal sealed class ObjectBuilder
             for (int i = next.Node.Children.Count - 1; i >= 0; i--)
                 open.Push((next.Node.Children[i], item.transform));
         }
-        foreach ((ObjectRecord record, Object target) in _file.Objects)
-        {
-            if (target is Component component)
-                ComponentReader.Fill(component, record, links);
-        }
+        // Meshes of the file are made when a MeshFilter refers to them, of which those without an enabled renderer may
+        // lack theirs.
+        var components = _file.Objects.Where(each => each.Value is Component)
+            .OrderBy(each => each.Value is MeshFilter).ToArray();
+        foreach ((ObjectRecord record, Object target) in components)
+            ComponentReader.Fill((Component)target, record, links);
         foreach (Object target in _file.Objects.Values)
             Callbacks.AfterDeserialize(target);
         return made;
@@ -71,6 +72,8 @@ internal sealed class ObjectBuilder
         {
             if (TypeOf(record) is Type type)
                 Attach(item, type, record);
+            else if (record.ClassId == ClassId.Terrain)
+                _warnings.Add(record, "terrains are not traced: make a mesh of it to include it");
         }
         foreach (ObjectRecord record in node.Components)
             RequireOthers(item, record);

@@ -13,6 +13,7 @@ internal static class ClassId
     internal const int MonoBehaviour = 114;
     internal const int SkinnedMeshRenderer = 137;
     internal const int LodGroup = 205;
+    internal const int Terrain = 218;
     internal const int RectTransform = 224;
     internal const int PrefabInstance = 1001;
     internal const int SceneRoots = 1660057539;
@@ -21,5 +22,5 @@ internal static class ClassId
 
     internal static bool IsKnown(int id) =>
         id is GameObject or Transform or Camera or Material or MeshRenderer or MeshFilter or Mesh
-        or MonoBehaviour or SkinnedMeshRenderer or LodGroup or RectTransform or PrefabInstance or SceneRoots;
+        or MonoBehaviour or SkinnedMeshRenderer or LodGroup or Terrain or RectTransform or PrefabInstance or SceneRoots;
 }

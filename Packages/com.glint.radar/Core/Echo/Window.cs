@@ -75,7 +75,7 @@ namespace Glint.Core
             return new Window(cosines);
         }
 
-        /// <summary>Names of windows, the usual one first: Taylor's has 4 near sidelobes of -35 dB.</summary>
+        /// <summary>Names of windows, the usual one first: Taylor's has 3 near sidelobes of -35 dB a side.</summary>
         public static IReadOnlyList<string> Names { get; } = s_named.Select(named => named.name).ToArray();
 
         /// <summary>The window of one of <see cref="Names"/>.</summary>

@@ -10,7 +10,7 @@ namespace Glint.Core
     public sealed class ScreenPicture
     {
         /// <summary>Largest number of spokes that a pixel shows, to each side: SCREEN_PIXEL_SPOKES.</summary>
-        public const int MaxSpokes = 64;
+        public const int MaxSpokes = 512;
 
         /// <summary>
         /// Half a pixel: TRAIL_REACH. It is smaller, so that rounding decides nothing where edges of pixels meet.

@@ -39,7 +39,7 @@ namespace Glint.Core
             { nameof(WindDirectionDegrees), it => it.WindDirectionDegrees, "Wind Direction", "deg", Directions,
                 "Direction in which wind and waves travel, as a rotation about Y: 0 to +Z, 90 to +X." },
             { nameof(Choppiness), it => it.Choppiness, "Choppiness", "", Choppinesses,
-                "Horizontal displacement relative to that of deep-water waves. Above 1 the crests of steep waves "
+                "Horizontal displacement relative to that of deep-water waves. From 1 on the crests of steep waves "
                     + "curl over." },
             { nameof(TileSize), it => it.TileSize, "Tile", "m", Tiles,
                 "Side of the repeated tile: a multiple of 1/1024 m. No wave is longer." },

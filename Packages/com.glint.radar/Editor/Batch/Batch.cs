@@ -197,10 +197,15 @@ namespace Glint.Editor
                 Debug.LogWarning(warning);
         }
 
+        // A single pose that would take the place of a sweep of hours is refused.
         internal static void WarnOfUnfinished(CommandLine line, ResultsFolder folder)
         {
-            if (folder != null && !line.Get(Options.Resume) && File.Exists(folder.PartialPath))
-                Debug.LogWarning($"{folder.FolderPath}: holds a sweep that is not finished; "
+            if (folder == null || line.Get(Options.Resume) || !File.Exists(folder.PartialPath))
+                return;
+            if (!line.Command.Options.Contains(Options.Resume))
+                throw new GlintException($"{folder.FolderPath}: holds a sweep that is not finished: finish it by its command "
+                    + $"with {Options.Resume.Flag}, or choose another folder with {Options.Out.Flag}");
+            Debug.LogWarning($"{folder.FolderPath}: holds a sweep that is not finished; "
                     + $"the first row replaces it ({Options.Resume.Flag} would continue it)");
         }
 

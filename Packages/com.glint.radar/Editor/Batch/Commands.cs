@@ -79,14 +79,15 @@ namespace Glint.Editor
         /// <summary>Joins the parts of a sweep.</summary>
         public static readonly Command Merge =
             new Command("merge",
-                "Merge the parts of a sweep or of cross sections (--shard) into the files of the whole.")
+                "Merge the parts of a sweep, of cross sections, of range profiles or of an image (--shard) into the "
+                + "files of the whole.")
             {
                 Inputs = InputKind.Folders,
                 Options = new Option[] { Options.Out },
                 Required = new Option[] { Options.Out },
                 Notes = new[]
                 {
-                    "The files equal those of an undivided sweep, except for timings. "
+                    "The files equal those of an undivided run, except for timings. "
                         + "All parts are needed, each once, finished, and traced with the same options, scene, "
                         + "kind of device and version."
                 },
@@ -236,8 +237,8 @@ namespace Glint.Editor
                 {
                     "The sea has no end: the echo is that of one tile under a plane wave, shaded by as many copies of "
                         + "the tile towards the radar as its shadows are long. Objects in the sea do not matter.",
-                    "Models are those of the sea's state: of its requested height, or of its wind. Where a model does "
-                        + "not hold, its columns are empty.",
+                    "Models are those of the sea's state: of its requested height, of the height of its spectrum where "
+                        + "the fetch limits it, or of its wind. Where a model does not hold, its columns are empty.",
                     "The grazing angle changes from row to row, then the azimuth, the frequency, and the snapshot or "
                         + "time slowest. Without --out the files go to Results/<name of the scene>-clutter beside the "
                         + "project's Assets."

@@ -104,8 +104,9 @@ namespace Glint.Editor
             IProgressSink progress)
         {
             var pulses = plan.Pulses;
-            double blind = pulses.BlindSpeed(band.Centre),
-                fastest = Math.Max(FastestOf(plan, scene), FastestOfSeas(scene, band.Centre));
+            double blind = pulses.BlindSpeed(band.Centre), ofObjects = FastestOf(plan, scene),
+                fastest = Math.Max(ofObjects, FastestOfSeas(scene, band.Centre)),
+                duration = pulses.TimeOf(pulses.Count - 1), bins = ofObjects * duration / band.RangeResolution;
             progress.Print(FormattableString.Invariant(
                 $"{pulses.Count} pulses at {pulses.RepetitionFrequency:g6} Hz, speed bin {pulses.SpeedResolution(band.Centre):g4} m/s, blind speed {blind:g4} m/s"));
             if (!scene.IsMoving && scene.Seas.Count == 0)
@@ -113,6 +114,9 @@ namespace Glint.Editor
             if (fastest > blind / 2)
                 Debug.LogWarning(FormattableString.Invariant(
                     $"{name}: up to {fastest:g4} m/s along the line of sight, and speeds above half of the blind speed, {blind / 2:g4} m/s, are folded; give a {EchoOptions.Repetition.Flag} of at least {pulses.RepetitionFrequency * 2 * fastest / blind:0}"));
+            if (bins > 1)
+                Debug.LogWarning(FormattableString.Invariant(
+                    $"{name}: up to {bins * band.RangeResolution:g3} m along the line of sight in the {duration:g3} s of the pulses, and a range bin is {band.RangeResolution:g4} m: such an echo spreads over range and speed, and its peak in the map is lower; end the pulses within {duration / bins:g3} s ({EchoOptions.Pulses.Flag}, {EchoOptions.Repetition.Flag}), or give {EchoOptions.Bandwidth.Flag} of at most {Math.Floor(band.Bandwidth / bins / 1e6):0}e6"));
         }
 
         // Largest speed towards or away from the radar, of corners of the boxes around what moves.

@@ -45,8 +45,8 @@ namespace Glint.Editor
             Choices = Core.Window.Names,
             Range = "one of " + string.Join(", ", Core.Window.Names),
             DefaultText = Core.Window.Names[0],
-            Help = "Weights over the band, which lower the sidelobes of an echo and widen it. taylor has four near "
-                + "sidelobes of -35 dB."
+            Help = "Weights over the band, which lower the sidelobes of an echo and widen it. taylor has three near "
+                + "sidelobes of -35 dB on each side."
         };
 
         /// <summary>Number of pulses; null when not given.</summary>

@@ -78,6 +78,7 @@ namespace Glint.Editor
 
         static string WritePrefab(string folder, in ShipSettings settings, TriangleMesh made)
         {
+            ProjectAssets.CheckIsOwn<Ship>(folder, ShipName);
             var mesh = ProjectAssets.Save(MeshMaker.Make(ShipName, made.Vertices, made.Indices),
                 $"{folder}/{ShipName}.asset");
             var root = new GameObject(ShipName, typeof(Ship));
@@ -90,6 +91,8 @@ namespace Glint.Editor
 
         static bool Write(string folder, SeaRecipe recipe, IProgressSink progress, ref int done)
         {
+            for (int i = 0; i < recipe.Times.Count; i++)
+                ProjectAssets.CheckIsOwn<SeaSnapshot>(folder, SnapshotName(i + 1));
             var surface = new SeaSurface(recipe.Settings);
             progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}: height factor {1:g6}",
                 ProjectAssets.Shown(folder), recipe.Settings.HeightFactor));
@@ -97,7 +100,10 @@ namespace Glint.Editor
             for (int i = 0; i < recipe.Times.Count; i++)
             {
                 if (progress.Cancel.IsCancellationRequested)
+                {
+                    WarnOfOthers(folder, i);
                     return false;
+                }
                 double time = recipe.Times[i], height = surface.MeasuredWaveHeight(time);
                 Write(folder, SnapshotName(i + 1), surface, time, height, recipe);
                 progress.Print(

@@ -72,7 +72,8 @@ namespace Glint.Editor
 
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = Text("out", "DIR", ResultGroup,
-            "Folder for results.csv and results.json, created with its parents if missing.");
+            "Folder for results.csv and results.json, of glint merge for the files of the whole, created with its "
+                + "parents if missing.");
 
         /// <summary>Folder of the project for meshes and prefabs; null when not given.</summary>
         public static readonly Option<string> AssetFolder = Text("out", "DIR", ResultGroup,

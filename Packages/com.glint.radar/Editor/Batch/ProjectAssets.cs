@@ -62,6 +62,22 @@ namespace Glint.Editor
         public static string Shown(string path) =>
             ProjectPaths.FindRoot(Directory.GetCurrentDirectory()) == null ? FileUtil.GetPhysicalPath(path) : path;
 
+        /// <summary>Refuses to replace a mesh and prefab of a name that are not of a kind.</summary>
+        /// <typeparam name="T">The component of such a prefab.</typeparam>
+        /// <exception cref="GlintException">There is another one.</exception>
+        public static void CheckIsOwn<T>(string folder, string name)
+            where T : Component
+        {
+            string prefab = $"{folder}/{name}.prefab", mesh = $"{folder}/{name}.asset";
+            bool isPrefabOther = File.Exists(FileUtil.GetPhysicalPath(prefab))
+                && AssetDatabase.LoadAssetAtPath<T>(prefab) == null,
+                isMeshOther = File.Exists(FileUtil.GetPhysicalPath(mesh))
+                    && AssetDatabase.LoadAssetAtPath<Mesh>(mesh) == null;
+            if (isPrefabOther || isMeshOther)
+                throw new GlintException($"{Shown(isPrefabOther ? prefab : mesh)}: is there, and is not one that glint "
+                    + "made: name another folder with --out");
+        }
+
         /// <summary>Stores a mesh; returns the asset.</summary>
         /// <exception cref="GlintException">It cannot be written.</exception>
         public static Mesh Save(Mesh made, string path)

@@ -228,7 +228,8 @@ namespace Glint.Editor
                 _seconds += 60 / geometry.Radar.TurnsAMinute / geometry.Radar.Spokes;
                 byte[] message = _encoder.Encode(first + i, video, i * geometry.Radar.Cells,
                     (_start + _seconds) % 86400);
-                _file?.Stream.Write(message, 0, message.Length);
+                if (_file != null)
+                    Try(Paths[0], () => _file.Stream.Write(message, 0, message.Length));
                 _sender?.Send(message);
             }
         }
@@ -254,8 +255,9 @@ namespace Glint.Editor
 
         public void Dispose()
         {
-            _file?.Dispose();
             _sender?.Dispose();
+            if (_file != null)
+                Try(Paths[0], _file.Dispose);
         }
     }
 }

@@ -7,7 +7,7 @@ namespace Glint
 {
     /// <summary>
     /// A reflector that a <see cref="RadarScreen"/> shows as a point: its cross section at this object's position. A
-    /// buoy's corner reflector has 10 m2, a ship of 500 tons some 1,000 m2.
+    /// buoy's corner reflector has 10 m2, a ship of 500 tons some 1,800 m2.
     /// </summary>
     [AddComponentMenu("Glint/Radar Reflector")]
     [HelpPage("screen.md")]

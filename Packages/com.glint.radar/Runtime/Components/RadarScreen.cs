@@ -385,7 +385,9 @@ namespace Glint
                 Debug.LogWarning(FormattableString.Invariant(
                     $"{Subject}: its antenna is {-height:0.##} m below the mean level of the sea, which hides nearly everything: move it up, or the sea down"), this);
             _tracer = new ScreenTracer(_kernel, Subject, _radar, TableText);
-            _turns = _headingTurns = Heading();
+            _headingTurns = Heading();
+            // Up to the first pass of north below 0.
+            _turns = _headingTurns - Math.Ceiling(_headingTurns);
             _madeOf = (_sea, _kernel, _seaKernel, _patternTable);
             MakeSea();
             (_scene, _targets) = (new FollowedScene(), new ScreenTargets(Subject, _tracer.Geometry));

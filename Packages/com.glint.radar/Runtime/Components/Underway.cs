@@ -1,4 +1,6 @@
+using System;
 using Glint.Core;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -29,9 +31,12 @@ namespace Glint
         /// <summary>Moves the object for some seconds; Unity's Update calls it.</summary>
         public void Advance(double seconds)
         {
-            var half = Quaternion.Euler(0, (float)(_turnDegreesAMinute / 60 * seconds / 2), 0);
+            double degrees = _turnDegreesAMinute / 60 * seconds / 2, angle = math.radians(degrees);
+            // The chord of the arc, for a step of any length.
+            double way = _speedKnots / KnotsAMetrePerSecond * seconds * (angle == 0 ? 1 : Math.Sin(angle) / angle);
+            var half = Quaternion.Euler(0, (float)degrees, 0);
             transform.rotation = half * transform.rotation;
-            transform.position += (float)(_speedKnots / KnotsAMetrePerSecond * seconds) * transform.forward;
+            transform.position += (float)way * transform.forward;
             transform.rotation = half * transform.rotation;
         }
 

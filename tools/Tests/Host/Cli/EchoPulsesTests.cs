@@ -21,6 +21,19 @@ public sealed class EchoPulsesTests : EchoFixture
     static readonly string[] s_radar =
         ["--range", "1000", "--power", "50", "--gain", "20", "--noise-figure", "6"];
 
+    /// <summary>2 m in half a second are 8 bins of 0.25 m.</summary>
+    [Test]
+    public void Plate_ThatMovesThroughRangeBins_IsWarnedOf()
+    {
+        string[] pulses = ["--edges", "off", "--tolerance", "1", "--pulses", "2", "--prf", "2", "--velocity", "0,0,-4"];
+        string warning = "up to 2 m along the line of sight in the 0.5 s of the pulses, and a range bin is 0.2498 m";
+        string ErrorOf(string bandwidth) => TestShell.Run(["echo", At("plate.obj"), "--bandwidth", bandwidth, .. pulses,
+            "--out", At("echo")]).error;
+        Assert.That(ErrorOf("600e6"), Does.Contain(warning)
+            .And.Contain("end the pulses within 0.0625 s (--pulses, --prf), or give --bandwidth of at most 74e6"));
+        Assert.That(ErrorOf("74e6"), Does.Not.Contain("range bin is"));
+    }
+
     /// <summary>A plate that approaches at 4 m/s: 4 pi A^2 / lambda^2 at its range and speed, in every file.</summary>
     [Test]
     public void Plate_ThatApproaches_IsAPointAtItsRangeAndSpeed()

@@ -35,6 +35,26 @@ public sealed class KeptFilesTests
         Run("report", At("run"));
     }
 
+    [Test]
+    public void Run_InTheFolderOfAnUnfinishedSweep_IsRefused()
+    {
+        Directory.CreateDirectory(At("sweep"));
+        File.WriteAllText(At("sweep/results.partial"), "{}\n");
+        var (code, _, error) = TestShell.Run("run", At("plate.obj"), "--size", "4x4", "--out", At("sweep"));
+        Assert.That((code, error.Trim()), Is.EqualTo((1, $"glint: {At("sweep")}: holds a sweep that is not finished: "
+            + "finish it by its command with --resume, or choose another folder with --out")));
+        Assert.That(File.ReadAllText(At("sweep/results.partial")), Is.EqualTo("{}\n"));
+    }
+
+    [Test]
+    public void Outputs_OfOneName_AreRefused()
+    {
+        var (code, _, error) = TestShell.Run("bench", At("plate.obj"), "--size", "4x4", "--json", At("x"),
+            "--write-scene", At("./x"));
+        Assert.That((code, error.Trim()), Is.EqualTo((2, $"glint: --write-scene {At("./x")}: is the file of --json too: "
+            + "name another file (see glint bench --help)")));
+    }
+
     [TestCase("verify", "--json")]
     [TestCase("bench", "--json")]
     [TestCase("bench", "--write-scene")]

@@ -53,6 +53,52 @@ public sealed class DamagedFileTests
                 + "restore the file, or assign another mesh (an .asset or a built-in one)");
     }
 
+    // Unity does not draw it, and a radar does not trace it.
+    [TestCase("  m_IsActive: 1\n", "  m_IsActive: 0\n")]
+    [TestCase("  m_Enabled: 1\n  m_Materials", "  m_Enabled: 0\n  m_Materials")]
+    public void Mesh_MissingOfWhatIsNotShown_IsOnlyWarnedOf(string shown, string hidden)
+    {
+        string item = Object(10, "Hull", components: Component(12, 13)) + MeshFilter(12, 10, Asset(4300000, 77, 2))
+            + MeshRenderer(13, 10);
+        Assert.That(Refusal(Scene(item, 11)), Does.Contain("which no .meta in the project has"));
+        Assert.That(item, Does.Contain(shown));
+        var made = _project.LoadScene(Scene(item.Replace(shown, hidden), 11)).Single();
+        Assert.That(made.GetComponent<MeshFilter>().sharedMesh == null);
+        Assert.That(_project.Warnings.Single(), Does.Contain("which no .meta in the project has"));
+    }
+
+    // It is no empty field, which would be a perfect conductor.
+    [Test]
+    public void RadarMaterial_Missing_IsOneThatIsGone()
+    {
+        _project.WriteScript(typeof(RadarSurface), MarkerScript);
+        var made = _project.LoadScene(Scene(Object(10, "Hull", components: Component(12))
+            + Script(12, 10, MarkerScript, $"  _material: {Asset(11400000, 77, 2)}\n  _submesh: -1\n"), 11)).Single();
+        var material = made.GetComponent<RadarSurface>().Material;
+        Assert.That(material == null && !ReferenceEquals(material, null) && material.GetInstanceID() != 0);
+        Assert.That(_project.Warnings.Single(), Does.Contain("_material refers to guid"));
+    }
+
+    [Test]
+    public void Mesh_InTheSceneItself_IsRead()
+    {
+        string mesh = MeshText.Of([0, 0, 0, 1, 0, 0, 0, 0, 1], 0, 1, 2).ToString();
+        mesh = mesh[mesh.IndexOf("--- ")..].Replace("&4300000", "&99");
+        var made = _project.LoadScene(Scene(Object(10, "Hull", components: Component(12, 13))
+            + MeshFilter(12, 10, "{fileID: 99}") + MeshRenderer(13, 10) + mesh, 11)).Single();
+        Assert.That(made.GetComponent<MeshFilter>().sharedMesh.vertexCount, Is.EqualTo(3));
+        Assert.That(_project.Warnings, Is.Empty);
+    }
+
+    [Test]
+    public void Terrain_IsWarnedOf()
+    {
+        _project.LoadScene(Scene(Object(10, "Coast", components: Component(12))
+            + "--- !u!218 &12\nTerrain:\n  m_GameObject: {fileID: 10}\n  m_Enabled: 1\n", 11));
+        Assert.That(_project.Warnings.Single(), Is.EqualTo("Assets/Scene.unity: Terrain of 'Coast': terrains are not "
+            + "traced: make a mesh of it to include it"));
+    }
+
     [Test]
     public void Mesh_WithoutMeta_IsRefusedAsUnknownGuid()
     {
@@ -232,7 +278,8 @@ public sealed class DamagedFileTests
     }
 
     static string WithMesh(string mesh) => Scene(Object(10, "Ship", children: [21])
-        + Object(20, "Hull", father: 11, components: Component(22)) + MeshFilter(22, 20, mesh), 11);
+        + Object(20, "Hull", father: 11, components: Component(22, 23)) + MeshFilter(22, 20, mesh)
+        + MeshRenderer(23, 20), 11);
 
     string Refusal(string scene) => Assert.Throws<GlintException>(() => _project.LoadScene(scene)).Message;
 

@@ -129,7 +129,7 @@ public sealed class ScriptFieldTests
         Marker marker =
             Load($"  Target: {{fileID: 77}}\n  Settings: {Asset(11400000, 33, 2)}\n  Other: {{fileID: 11}}\n");
         Assert.That(marker.Target, Is.Null);
-        Assert.That(marker.Settings, Is.Null);
+        Assert.That(marker.Settings == null, "as in the editor, an asset that is gone equals null");
         Assert.That(_project.Warnings, Is.EqualTo(new[]
         {
             "Assets/Scene.unity: Marker of 'A': Target refers to object &77, which is not in the file: "

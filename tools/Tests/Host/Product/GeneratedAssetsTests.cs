@@ -100,6 +100,24 @@ public sealed class GeneratedAssetsTests
         Assert.That(mesh.triangles.Length / 3, Is.EqualTo(20000).Within(5).Percent);
     }
 
+    // Scenes refer to it by its guid, which a new prefab in its place would keep.
+    [TestCase("Ship", "Ship")]
+    [TestCase("Sea", "Snapshot 02")]
+    public void Prefab_OfTheUser_IsNotReplaced(string command, string name)
+    {
+        string path = $"Assets/Mine/{name}.prefab", text = UnityText.Prefab(UnityText.Object(10, "Mine"));
+        _project.Write(path, text, 5);
+        AssetDatabase.Refresh();
+        var error = Assert.Throws<GlintException>(() => Execute(command == "Ship" ? Commands.Ship : Commands.Sea,
+            [.. command == "Ship" ? ["--length", "70"] : new[] { "--cells", "8", "--times", "0,5" }, "--out",
+                "Assets/Mine"]));
+        Assert.That(error.Message, Is.EqualTo($"{path}: is there, and is not one that glint made: name another folder "
+            + "with --out"));
+        Assert.That(File.ReadAllText(path), Is.EqualTo(text));
+        Assert.That(Directory.GetFiles("Assets/Mine").Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { $"{name}.prefab", $"{name}.prefab.meta" }));
+    }
+
     [Test]
     public void Ship_AsAFile_IsTheShipOfItsMeasures_TheSameBytesEachTime()
     {
