@@ -26,11 +26,8 @@ namespace Glint.Core
         static string Text(double value)
         {
             double size = Math.Abs(value);
-            string rounded = value.ToString("0.###e0", CultureInfo.InvariantCulture);
-            // A limit is written so that it is accepted.
-            return size < 1e6 && (size >= 0.001 || size == 0)
-                || double.Parse(rounded, CultureInfo.InvariantCulture) != value
-                ? value.ToString("R", CultureInfo.InvariantCulture) : rounded;
+            return value.ToString(size < 1e6 && (size >= 0.001 || size == 0) ? "R" : "0.###e0",
+                CultureInfo.InvariantCulture);
         }
     }
 }

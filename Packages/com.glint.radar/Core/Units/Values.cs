@@ -153,8 +153,7 @@ namespace Glint.Core
 
         // Parsed as double: a number too long for an int is out of range, not malformed.
         static bool TryWhole(string text, out double value) =>
-            double.TryParse(text.Trim(), NumberStyles.AllowLeadingSign | NumberStyles.AllowExponent,
-                CultureInfo.InvariantCulture, out value) && value == Math.Floor(value);
+            double.TryParse(text.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
 
         static double Each(double value, Interval range) => Checked(value, range, "each number must be ");
 
