@@ -115,16 +115,7 @@ namespace Glint.Tests
         public void Sum_APlateThatLeansOverASea_IsAlsoThatOfTheImageInTheWater(double turn, double lean, double grazing)
         {
             var (pose, clutter, plate) = PlateOverASea(turn, lean, grazing, 0);
-            var water = clutter.Surface.Reflection(pose.Radar.ToRadar.y, TenGigahertz);
-            double3 toImage = Mirrored(pose.Radar.ToRadar, s_up), imageV = Mirrored(pose.Radar.Up, s_up);
-            var fromWater = new[]
-            {
-                new SurfaceWave(toImage, imageV, pose.Radar.Right, -water.P, 0),
-                new SurfaceWave(toImage, imageV, pose.Radar.Right, 0, water.S)
-            };
-            SurfaceWave[] byPlate = Mirrored(WavesOf(pose.Radar), plate), byBoth = Mirrored(fromWater, plate);
-            var alone = LitBy(pose.Radar.ToRadar, byPlate, plate) * Between(clutter, pose.Radar, byPlate);
-            var all = alone + LitBy(toImage, byBoth, plate) * Between(clutter, pose.Radar, byBoth);
+            var (_, alone, all) = OfBothImages(pose, clutter, plate);
             Assert.That(Sigma0.Decibels(all.HH / alone.HH), Is.GreaterThan(0.15));
             AssertNear(Sum(pose), all);
         }
@@ -135,6 +126,16 @@ namespace Glint.Tests
         public void Sum_APlateThatLightsTheSeaFromAbove_IsThatOfTheImagesWithTheirMirrorPoints()
         {
             var (pose, clutter, plate) = PlateOverASea(0, 37, 15, 0);
+            var (byPlate, _, all) = OfBothImages(pose, clutter, plate);
+            Assert.That(byPlate[0].Towards.y, Is.GreaterThan(0.999));
+            AssertNear(Sum(pose), all);
+        }
+
+        // The waves of the radar that the plate mirrors to the sea, and the echo of these alone and with those of the
+        // radar's image in the water.
+        static (SurfaceWave[] ByPlate, Sigma0 Alone, Sigma0 All) OfBothImages(CrossSectionPose pose, SeaClutter clutter,
+            double3 plate)
+        {
             var water = clutter.Surface.Reflection(pose.Radar.ToRadar.y, TenGigahertz);
             double3 toImage = Mirrored(pose.Radar.ToRadar, s_up), imageV = Mirrored(pose.Radar.Up, s_up);
             var fromWater = new[]
@@ -143,9 +144,8 @@ namespace Glint.Tests
                 new SurfaceWave(toImage, imageV, pose.Radar.Right, 0, water.S)
             };
             SurfaceWave[] byPlate = Mirrored(WavesOf(pose.Radar), plate), byBoth = Mirrored(fromWater, plate);
-            Assert.That(byPlate[0].Towards.y, Is.GreaterThan(0.999));
-            AssertNear(Sum(pose), LitBy(pose.Radar.ToRadar, byPlate, plate) * Between(clutter, pose.Radar, byPlate)
-                + LitBy(toImage, byBoth, plate) * Between(clutter, pose.Radar, byBoth));
+            var alone = LitBy(pose.Radar.ToRadar, byPlate, plate) * Between(clutter, pose.Radar, byPlate);
+            return (byPlate, alone, alone + LitBy(toImage, byBoth, plate) * Between(clutter, pose.Radar, byBoth));
         }
 
         // A sea that breaks everywhere: mirror points of a slope variance of 0.19 and a pedestal, without loss.

@@ -109,7 +109,7 @@ namespace Glint.Core
         /// <inheritdoc cref="Find" path="/param|/exception"/>
         public static SurfaceMaterial FindOpenDielectric(RadarScene scene, IReadOnlyList<SurfacePatches> patches)
         {
-            var tiles = new HashSet<int>(scene.Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
+            var tiles = scene.SeaInstances();
             int[] candidates = Enumerable.Range(0, scene.Instances.Length).Where(instance => !tiles.Contains(instance)
                 && scene.Instances[instance].Ranges.Any(range => scene.Surfaces[range.Surface].HalfSpace != null))
                 .ToArray();

@@ -49,6 +49,10 @@ namespace Glint.Core
         /// <summary>The box around all triangles, metres; its corners are infinite if there are none.</summary>
         public (double3 Min, double3 Max) Bound() => Bound(Instances);
 
+        /// <summary>The instances that are tiles of seas.</summary>
+        public HashSet<int> SeaInstances() =>
+            new HashSet<int>(Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
+
         /// <summary>
         /// The box around what is no sea, metres: the size of the target, whatever the extent of the water around it.
         /// Of seas alone, and without any, that around all triangles.
@@ -58,7 +62,7 @@ namespace Glint.Core
         {
             if (Seas.Count == 0)
                 return all;
-            var tiles = new HashSet<int>(Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
+            var tiles = SeaInstances();
             var others = Instances.Where((instance, number) => !tiles.Contains(number)).ToArray();
             return others.Length == 0 ? all : Bound(others);
         }

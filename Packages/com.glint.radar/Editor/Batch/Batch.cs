@@ -75,7 +75,7 @@ namespace Glint.Editor
             {
                 using (var folder = OpenFolder(line, loaded.Name))
                 {
-                    WarnOfUnfinished(line, folder);
+                    CheckUnfinished(line, folder);
                     var setup = loaded.Sweep(plan);
                     setup.Command = ArgumentsOf(line);
                     using (var run = new SweepRun(setup, folder, line.Get(Options.Shard), line.Get(Options.Resume))
@@ -197,8 +197,8 @@ namespace Glint.Editor
                 Debug.LogWarning(warning);
         }
 
-        // A single pose that would take the place of a sweep of hours is refused.
-        internal static void WarnOfUnfinished(CommandLine line, ResultsFolder folder)
+        // A sweep that begins anew is warned of what it replaces; a single pose, which cannot go on with it, is refused.
+        internal static void CheckUnfinished(CommandLine line, ResultsFolder folder)
         {
             if (folder == null || line.Get(Options.Resume) || !File.Exists(folder.PartialPath))
                 return;

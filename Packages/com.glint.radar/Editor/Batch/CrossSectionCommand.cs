@@ -33,7 +33,7 @@ namespace Glint.Editor
                 : RunDescription.DefaultFolder(name, table);
             using (var folder = ResultsFolder.Open(path, table))
             {
-                Batch.WarnOfUnfinished(line, folder);
+                Batch.CheckUnfinished(line, folder);
                 using (var run = new CrossSectionRun(setup, ProjectAssets.TubesKernel, folder,
                     line.Get(Options.Shard), line.Get(Options.Resume), CrossSectionTracer.PosesOfADispatch))
                 {

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
@@ -31,7 +30,7 @@ namespace Glint
         /// <summary>The echo of a pose's seas and all else at each sample; null where there is nothing else.</summary>
         public ClutterEcho[] Sum(DeviceScene scene, SurfaceBuffers surfaces, CrossSectionPose pose)
         {
-            var tiles = new HashSet<int>(pose.Scene.Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
+            var tiles = pose.Scene.SeaInstances();
             var (min, max) = new RadarScene(pose.Scene.Instances.Where((_, i) => !tiles.Contains(i)).ToArray()).Bound();
             if (!(min.x <= max.x))
                 return null;

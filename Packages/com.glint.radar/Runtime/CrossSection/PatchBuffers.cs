@@ -51,7 +51,7 @@ namespace Glint
             var firsts = new List<uint4>();
             var first = new Dictionary<SurfacePatches, uint>();
             uint patchCount = 0;
-            var seas = new HashSet<int>(scene.Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
+            var seas = scene.SeaInstances();
             for (int i = 0; i < scene.Instances.Length; i++)
             {
                 var patches = OfInstances[i];
