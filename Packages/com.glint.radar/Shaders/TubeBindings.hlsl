@@ -272,8 +272,12 @@ uint _LineCapacity;                        // of a pose: elements of _Links
 // last words of all count the elements of lines, and the links of outlines.
 static const uint COVER_SIDE = 8;           // of a block, in base cells
 static const uint MAX_COVERED = 4096;       // blocks that one thread marks
-uint _SphereCount;
-StructuredBuffer<float4> _Spheres;         // about the triangles, relative to the scene's centre, m; w: radius
+uint _TriangleCount;                       // of all instances
+uint _PlacedCount;                         // instances
+StructuredBuffer<float4> _Spheres;         // about the triangles, as in _Facets, in the mesh's frame; w: radius
+static const uint PLACE_ROWS = 4;
+StructuredBuffer<float4> _Places;          // per instance: rows of the matrix from the mesh's frame to the scene's centre; then
+                                           // x: stretch of lengths, y: rounding, m
 
 uint BaseCellCount()
 {

@@ -75,14 +75,39 @@ void MarkOutlines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
 }
 
+// The instance of a triangle that is counted through all instances.
+uint InstanceOfTriangle(uint triangleIndex)
+{
+    uint first = 0, end = _PlacedCount;
+    while (end - first > 1)
+    {
+        uint middle = (first + end) / 2;
+        if (_InstanceFacets[middle].z <= triangleIndex)
+            first = middle;
+        else
+            end = middle;
+    }
+    return first;
+}
+
+// A sphere about such a triangle, relative to the scene's centre, m; w: radius.
+float4 SphereOf(uint triangleIndex)
+{
+    uint instance = InstanceOfTriangle(triangleIndex), row = PLACE_ROWS * instance;
+    uint4 first = _InstanceFacets[instance];
+    float4 sphere = _Spheres[first.x + triangleIndex - first.z], atCentre = float4(sphere.xyz, 1), last = _Places[row + 3];
+    return float4(dot(_Places[row], atCentre), dot(_Places[row + 1], atCentre), dot(_Places[row + 2], atCentre),
+        last.x * sphere.w + last.y);
+}
+
 // Marks the blocks of base cells in which triangles may be seen.
 [numthreads(GLINT_GROUP, 1, 1)]
 void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    if (!TakeOfPose(index, _SphereCount))
+    if (!TakeOfPose(index, _TriangleCount))
         return;
-    float4 sphere = _Spheres[index];
+    float4 sphere = SphereOf(index);
     float4 gridX = _Poses[s_pose].GridX, gridY = _Poses[s_pose].GridY, gridDepth = _Poses[s_pose].GridDepth;
     uint2 blocks = _Poses[s_pose].Blocks;
     float depth = dot(sphere.xyz, gridDepth.xyz) + gridDepth.w, deep = sphere.w * length(gridDepth.xyz);

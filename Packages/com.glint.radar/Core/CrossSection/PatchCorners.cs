@@ -8,13 +8,13 @@ namespace Glint.Core
     /// Finds the corners of a mesh's patches: the places where outlines turn. Between rays, only there can something
     /// lie that none of them meets.
     /// </summary>
-    public static class PatchCorners
+    static class PatchCorners
     {
         // Turns below 10 degrees are not corners: an outline of many short edges is a curve.
         static readonly double s_straight = -Math.Cos(math.radians(10.0));
 
         /// <summary>The corners, in the mesh's frame.</summary>
-        public static List<float3> Of(SurfacePatches patches)
+        public static float3[] Of(SurfacePatches patches)
         {
             var welded = patches.Welded;
             var vertices = welded.Mesh.Vertices;
@@ -42,7 +42,7 @@ namespace Glint.Core
             for (int i = 0; i < counts.Length; i++)
                 if (turns[i] || counts[i] == 1)
                     corners.Add(vertices[i]);
-            return corners;
+            return corners.ToArray();
         }
     }
 }

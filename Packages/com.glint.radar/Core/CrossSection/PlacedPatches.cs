@@ -4,12 +4,13 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>An instance of a scene with the patches of its mesh, measured in the scene's frame.</summary>
-    readonly struct PlacedPatches
+    public readonly struct PlacedPatches
     {
         readonly Affine _toWorld;
         readonly double3 _acrossX, _acrossY, _acrossZ; // images of the areas across the unit vectors
 
         /// <summary>An instance with its patches.</summary>
+        /// <exception cref="GlintException">The patches are not those of its mesh.</exception>
         public PlacedPatches(in MeshInstance instance, SurfacePatches patches)
         {
             if (patches.Welded.Mesh != instance.Mesh)

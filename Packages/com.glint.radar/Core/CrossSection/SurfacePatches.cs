@@ -24,6 +24,9 @@ namespace Glint.Core
         readonly int[] _smoothAcross; // the side across a smooth edge, for each side
         readonly sbyte[] _signs;      // whether a triangle is wound as the first one of its patch
         bool[] _isFlat;
+        int[] _outlines;
+        int[][] _flatPatches;
+        float3[] _corners;
 
         SurfacePatches(TriangleMesh mesh, MeshRange[] ranges, double creaseDegrees)
         {
@@ -89,8 +92,16 @@ namespace Glint.Core
         public bool IsSmooth(int side) => _smoothAcross[side] != WeldedMesh.None;
 
         /// <summary>The sides of triangles on the outlines of patches: no triangle of the same patch is at the other side.</summary>
-        public IEnumerable<int> Outlines() => Enumerable.Range(0, Welded.Corners.Length)
-            .Where(side => Welded.EdgeOf[side] != WeldedMesh.None && !IsSmooth(side));
+        public IReadOnlyList<int> Outlines => _outlines ??= Enumerable.Range(0, Welded.Corners.Length)
+            .Where(side => Welded.EdgeOf[side] != WeldedMesh.None && !IsSmooth(side)).ToArray();
+
+        /// <summary>The triangles of each flat patch.</summary>
+        public IReadOnlyList<int[]> FlatPatches => _flatPatches ??= Enumerable.Range(0, PatchOf.Length)
+            .Where(triangle => PatchOf[triangle] != NoPatch && IsFlat(PatchOf[triangle]))
+            .GroupBy(triangle => PatchOf[triangle], (patch, triangles) => triangles.ToArray()).ToArray();
+
+        /// <summary>The places where outlines turn, in the mesh's frame.</summary>
+        public IReadOnlyList<float3> Corners => _corners ??= PatchCorners.Of(this);
 
         /// <summary>The surface of each triangle.</summary>
         internal static int[] SurfacesOf(TriangleMesh mesh, MeshRange[] ranges)

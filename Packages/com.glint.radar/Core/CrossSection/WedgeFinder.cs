@@ -35,7 +35,7 @@ namespace Glint.Core
     /// is one; a plate that ends is one of 2 pi; three plates that meet are three. Angles that differ from pi by no
     /// more than the crease angle are a smooth surface, and none. Open edges of different triangles that lie on each
     /// other within <see cref="RelativeTolerance"/> of the target's size, <see cref="MaxTolerance"/> at most, are one
-    /// edge over the length that they share.
+    /// edge over the length that they share. Tiles of a sea that is no conductor are left out.
     /// An open edge that lies on a face, away from its edges, remains the end of a plate.
     /// </remarks>
     public sealed class WedgeFinder
@@ -49,6 +49,7 @@ namespace Glint.Core
         // Faces that are nearer to each other, in radians, are two sides of one sheet.
         const double MinAngle = 1e-3;
 
+        readonly int[] _instances; // of the scene, that may have wedges
         readonly PlacedPatches[] _placed;
         readonly bool[][] _isConductor; // for each instance and triangle
         readonly List<EdgePiece> _pieces;
@@ -59,12 +60,16 @@ namespace Glint.Core
 
         WedgeFinder(RadarScene scene, IReadOnlyList<SurfacePatches> patches, Predicate<SurfaceMaterial> isConductor)
         {
-            _placed = PlacedPatches.Of(scene, patches);
-            var surfaces = new bool[scene.Surfaces.Count];
-            for (int i = 0; i < surfaces.Length; i++)
-                surfaces[i] = isConductor(scene.Surfaces[i]);
-            _isConductor = Array.ConvertAll(scene.Instances, instance => Array.ConvertAll(
-                SurfacePatches.SurfacesOf(instance.Mesh, instance.Ranges), surface => surfaces[surface]));
+            var placed = PlacedPatches.Of(scene, patches);
+            var surfaces = scene.Surfaces.Select(surface => isConductor(surface)).ToArray();
+            // Tiles of water, a thousand of one mesh: they end on each other and at the end of the sea.
+            var tiles = scene.SeaInstances();
+            _instances = Enumerable.Range(0, placed.Length).Where(number => !tiles.Contains(number)
+                || scene.Instances[number].Ranges.Any(range => surfaces[range.Surface])).ToArray();
+            _placed = Array.ConvertAll(_instances, number => placed[number]);
+            _isConductor = Array.ConvertAll(_instances, number => Array.ConvertAll(
+                SurfacePatches.SurfacesOf(scene.Instances[number].Mesh, scene.Instances[number].Ranges),
+                surface => surfaces[surface]));
             var (boxMin, boxMax) = Bound();
             double3 centre = (boxMin + boxMax) / 2;
             double size = math.distance(boxMin, boxMax);
@@ -116,10 +121,11 @@ namespace Glint.Core
             if (candidates.Length == 0)
                 return null;
             var finder = new WedgeFinder(scene, patches, surface => surface.HalfSpace == null);
-            foreach (int i in candidates)
+            foreach (int number in candidates)
             {
+                int i = Array.BinarySearch(finder._instances, number);
                 var welded = finder._placed[i].Welded;
-                var surfaces = SurfacePatches.SurfacesOf(welded.Mesh, scene.Instances[i].Ranges);
+                var surfaces = SurfacePatches.SurfacesOf(welded.Mesh, scene.Instances[number].Ranges);
                 for (int triangle = 0; triangle < surfaces.Length; triangle++)
                     if (!finder._isConductor[i][triangle] && !welded.IsDegenerate(triangle)
                         && finder._sides.IsOpen(new EdgeFace(i, 3 * triangle)))
@@ -213,8 +219,8 @@ namespace Glint.Core
                 return;
             _wedges.Add(new WedgePiece(
                 new Wedge(piece.A, piece.B,
-                    new WedgeFace(first.Into, firstNormal, first.Face.Instance, first.Face.Triangle),
-                    new WedgeFace(second.Into, secondNormal, second.Face.Instance, second.Face.Triangle), angle),
+                    new WedgeFace(first.Into, firstNormal, _instances[first.Face.Instance], first.Face.Triangle),
+                    new WedgeFace(second.Into, secondNormal, _instances[second.Face.Instance], second.Face.Triangle), angle),
                 firstConducts, secondConducts, uncertainty));
         }
 

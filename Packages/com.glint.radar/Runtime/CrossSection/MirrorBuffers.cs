@@ -46,12 +46,10 @@ namespace Glint
             var sides = new List<(double3 Start, double3 End, double3 Third)>();
             for (int i = 0; i < scene.Instances.Length; i++)
             {
-                var welded = patches[i].Welded;
-                var toWorld = scene.Instances[i].ToWorld;
-                var placed = Array.ConvertAll(welded.Mesh.Vertices, vertex => toWorld.Point(vertex) - centre);
-                mirrors.AddRange(PatchRectangle.Of(patches[i], placed).Where(mirror => mirror.Width >= cell));
-                double3 At(int corner) => placed[welded.Corners[corner]];
-                sides.AddRange(patches[i].Outlines().Select(side =>
+                var placed = new PlacedPatches(scene.Instances[i], patches[i]);
+                double3 At(int corner) => placed.Point(corner) - centre;
+                mirrors.AddRange(PatchRectangle.Of(patches[i], At).Where(mirror => mirror.Width >= cell));
+                sides.AddRange(patches[i].Outlines.Select(side =>
                     (At(side), At(WeldedMesh.EndOf(side)), At(WeldedMesh.Opposite(side)))));
             }
             double length = Math.Max(PieceCells * cell, sides.Sum(side => math.distance(side.Start, side.End)) / MaxPieces);

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
@@ -26,16 +27,10 @@ namespace Glint
         };
 
         /// <summary>Those about the flat patches of a mesh.</summary>
-        /// <param name="placed">The mesh's corners.</param>
-        public static IEnumerable<PatchRectangle> Of(SurfacePatches patches, double3[] placed)
-        {
-            var corners = patches.Welded.Corners;
-            return Enumerable.Range(0, corners.Length / 3)
-                .Where(triangle => patches.PatchOf[triangle] != SurfacePatches.NoPatch && patches.IsFlat(patches.PatchOf[triangle]))
-                .GroupBy(triangle => patches.PatchOf[triangle])
-                .Select(triangles => About(triangles.SelectMany(triangle => Enumerable.Range(3 * triangle, 3))
-                    .Select(corner => placed[corners[corner]]).ToArray()));
-        }
+        /// <param name="placeOf">Of a corner of the mesh.</param>
+        public static IEnumerable<PatchRectangle> Of(SurfacePatches patches, Func<int, double3> placeOf) =>
+            patches.FlatPatches.Select(triangles => About(triangles
+                .SelectMany(triangle => Enumerable.Range(3 * triangle, 3)).Select(placeOf).ToArray()));
 
         // Corners: three of each triangle. Along the longest side.
         static PatchRectangle About(double3[] corners)

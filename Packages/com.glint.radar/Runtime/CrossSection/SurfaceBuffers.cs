@@ -14,6 +14,12 @@ namespace Glint
         /// <summary>Steps of a table of reflection coefficients: REFLECTION_STEPS.</summary>
         public const int ReflectionSteps = 1024;
 
+        /// <summary>Rows of an instance's place: PLACE_ROWS.</summary>
+        public const int PlaceRows = 4;
+
+        // Of lengths relative to coordinates: some steps of float32.
+        const double Rounding = 1e-6;
+
         RadarScene _scene;
         double _frequency;
         bool _arePlaced;
@@ -36,9 +42,15 @@ namespace Glint
         /// <summary>Of all sides, metres.</summary>
         public double LengthOfSides { get; private set; }
 
+        /// <summary>About the triangles of each mesh, in its frame, in the order of <see cref="PatchBuffers.Facets"/>.</summary>
         public DeviceBuffer<float4> Spheres { get; } = new DeviceBuffer<float4>("spheres about triangles");
 
-        public int SphereCount { get; private set; }
+        /// <summary>From each mesh's frame to the scene's centre, <see cref="PlaceRows"/> an instance.</summary>
+        public DeviceBuffer<float4> Places { get; } = new DeviceBuffer<float4>("places of instances");
+
+        public int InstanceCount { get; private set; }
+
+        public int TriangleCount { get; private set; }
 
         /// <summary>What casts the shadows of receivers; none where only the radar receives.</summary>
         public SilhouetteBuffers Silhouettes { get; } = new SilhouetteBuffers();
@@ -47,7 +59,7 @@ namespace Glint
         public MirrorBuffers Mirrors { get; } = new MirrorBuffers();
 
         /// <summary>Corners, outlines, their pieces or triangles, whichever are most: threads a pose that marks them.</summary>
-        public int MarkedCount => Math.Max(Math.Max(SphereCount, Mirrors.PieceCount),
+        public int MarkedCount => Math.Max(Math.Max(TriangleCount, Mirrors.PieceCount),
             Math.Max(SideCount, VertexCount));
 
         /// <summary>Uploads what has changed.</summary>
@@ -70,6 +82,7 @@ namespace Glint
             Vertices.Dispose();
             Sides.Dispose();
             Spheres.Dispose();
+            Places.Dispose();
             Silhouettes.Dispose();
             Mirrors.Dispose();
             Motions.Dispose();
@@ -82,21 +95,23 @@ namespace Glint
             var vertices = new List<float4>();
             var sides = new List<float4>();
             var spheres = new List<float4>();
+            var withSpheres = new HashSet<SurfacePatches>();
             LengthOfSides = 0;
             for (int i = 0; i < scene.Instances.Length; i++)
             {
                 var instance = scene.Instances[i];
                 var patches = Patches.OfInstances[i];
-                foreach (float3 corner in PatchCorners.Of(patches))
+                foreach (float3 corner in patches.Corners)
                     vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));
-                AddSides(instance, patches, centre, sides);
-                for (int triangle = 0; triangle < instance.Mesh.TriangleCount; triangle++)
-                    spheres.Add(SphereOf(instance, triangle, centre));
+                AddSides(new PlacedPatches(instance, patches), centre, sides);
+                if (withSpheres.Add(patches))
+                    spheres.AddRange(SpheresOf(instance.Mesh));
             }
             SideCount = sides.Count / TubeKernels.SideRows;
             Sides.Upload(sides.ToArray());
-            SphereCount = spheres.Count;
             Spheres.Upload(spheres.ToArray());
+            Places.Upload(scene.Instances.SelectMany(instance => PlaceOf(instance.ToWorld, centre)).ToArray());
+            (InstanceCount, TriangleCount) = (scene.Instances.Length, Patches.Parts.TriangleCount);
             VertexCount = vertices.Count;
             Vertices.Upload(vertices.ToArray());
             Motions.Upload(scene.Instances.SelectMany(instance => new[]
@@ -106,31 +121,48 @@ namespace Glint
             }).ToArray());
         }
 
-        void AddSides(in MeshInstance instance, SurfacePatches patches, double3 centre, List<float4> sides)
+        void AddSides(in PlacedPatches placed, double3 centre, List<float4> sides)
         {
-            var welded = patches.Welded;
-            var toWorld = instance.ToWorld;
-            var placed = Array.ConvertAll(welded.Mesh.Vertices, vertex => toWorld.Point(vertex));
-            foreach (int side in patches.Outlines())
+            foreach (int side in placed.Patches.Outlines)
             {
-                int end = WeldedMesh.EndOf(side);
-                foreach (int corner in new[] { side, end, WeldedMesh.Opposite(side) })
-                    sides.Add(new float4((float3)(placed[welded.Corners[corner]] - centre), 0));
-                LengthOfSides += math.distance(placed[welded.Corners[side]], placed[welded.Corners[end]]);
+                double3 start = placed.Point(side), end = placed.Point(WeldedMesh.EndOf(side));
+                foreach (var point in new[] { start, end, placed.Point(WeldedMesh.Opposite(side)) })
+                    sides.Add(new float4((float3)(point - centre), 0));
+                LengthOfSides += math.distance(start, end);
             }
         }
 
-        // A sphere about a triangle, relative to the scene's centre.
-        static float4 SphereOf(in MeshInstance instance, int triangle, double3 centre)
+        // About the triangles, in the mesh's frame.
+        static IEnumerable<float4> SpheresOf(TriangleMesh mesh)
         {
-            instance.Mesh.GetTriangle(triangle, out var a, out var b, out var c);
-            double3 placedA = instance.ToWorld.Point(a), placedB = instance.ToWorld.Point(b),
-                placedC = instance.ToWorld.Point(c), middle = (placedA + placedB + placedC) / 3;
-            double radius = Math.Max(math.distance(middle, placedA),
-                Math.Max(math.distance(middle, placedB), math.distance(middle, placedC)));
-            // The coordinates are rounded on the way to the device.
-            return new float4((float3)(middle - centre), (float)(radius + 1e-6 * math.length(middle - centre)));
+            for (int triangle = 0; triangle < mesh.TriangleCount; triangle++)
+            {
+                mesh.GetTriangle(triangle, out var a, out var b, out var c);
+                double3 middle = ((double3)a + b + c) / 3;
+                double radius = Math.Max(math.distance(middle, a),
+                    Math.Max(math.distance(middle, b), math.distance(middle, c)));
+                yield return new float4((float3)middle, (float)(radius + Rounding * math.length(middle)));
+            }
         }
+
+        // The rows of the matrix, and beside it the stretch of lengths and what rounding on the device adds to them, metres.
+        static float4[] PlaceOf(in Affine toWorld, double3 centre)
+        {
+            double3 x = toWorld.X, y = toWorld.Y, z = toWorld.Z, origin = toWorld.Origin - centre;
+            // Of the products of the axes the largest sum of a row is the square of the stretch at least, and equal to it where
+            // the axes remain perpendicular.
+            double3 xs = new double3(math.dot(x, x), math.dot(x, y), math.dot(x, z)),
+                ys = new double3(math.dot(y, x), math.dot(y, y), math.dot(y, z)),
+                zs = new double3(math.dot(z, x), math.dot(z, y), math.dot(z, z));
+            double square = Math.Max(math.csum(math.abs(xs)), Math.Max(math.csum(math.abs(ys)), math.csum(math.abs(zs))));
+            return new[]
+            {
+                RowOf(x.x, y.x, z.x, origin.x), RowOf(x.y, y.y, z.y, origin.y), RowOf(x.z, y.z, z.z, origin.z),
+                RowOf(Math.Sqrt(square), Rounding * math.length(origin), 0, 0)
+            };
+        }
+
+        static float4 RowOf(double x, double y, double z, double w) => (float4)new double4(x, y, z, w);
 
         static IEnumerable<float4> TableOf(SurfaceMaterial surface, double frequency)
         {

@@ -63,8 +63,10 @@ namespace Glint
         public static readonly int _WrittenMarks = Shader.PropertyToID("_WrittenMarks");
         public static readonly int _Links = Shader.PropertyToID("_Links");
         public static readonly int _WrittenLinks = Shader.PropertyToID("_WrittenLinks");
-        public static readonly int _SphereCount = Shader.PropertyToID("_SphereCount");
+        public static readonly int _TriangleCount = Shader.PropertyToID("_TriangleCount");
+        public static readonly int _PlacedCount = Shader.PropertyToID("_PlacedCount");
         public static readonly int _Spheres = Shader.PropertyToID("_Spheres");
+        public static readonly int _Places = Shader.PropertyToID("_Places");
         public static readonly int _MarkWords = Shader.PropertyToID("_MarkWords");
         public static readonly int _EdgePieces = Shader.PropertyToID("_EdgePieces");
         public static readonly int _EdgeRange = Shader.PropertyToID("_EdgeRange");

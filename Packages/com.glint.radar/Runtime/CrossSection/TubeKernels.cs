@@ -249,7 +249,8 @@ namespace Glint
         public void Mark(int poses, int markWords, int linkCapacity, int lineCapacity, SurfaceBuffers surfaces,
             DeviceBuffer<uint> marks, DeviceBuffer<uint4> links)
         {
-            _shader.SetInt(TubeIDs._SphereCount, surfaces.SphereCount);
+            _shader.SetInt(TubeIDs._TriangleCount, surfaces.TriangleCount);
+            _shader.SetInt(TubeIDs._PlacedCount, surfaces.InstanceCount);
             _shader.SetInt(TubeIDs._MarkWords, markWords);
             _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
             _shader.SetInt(TubeIDs._SideCount, surfaces.SideCount);
@@ -259,6 +260,8 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._WrittenMarks, marks.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
+            _shader.SetBuffer(_cover, TubeIDs._Places, surfaces.Places.Buffer);
+            _shader.SetBuffer(_cover, TubeIDs._InstanceFacets, surfaces.Patches.InstanceFacets.Buffer);
             foreach (int kernel in new[] { _mark, _outlines, _shadows, _images })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenLinks, links.Buffer);
             foreach (int kernel in new[] { _outlines, _cells, _rays.Outlines })
@@ -270,7 +273,7 @@ namespace Glint
             _shader.DispatchThreads(_clearMarks, (long)poses * markWords);
             _shader.DispatchThreads(_mark, (long)poses * surfaces.VertexCount);
             _shader.DispatchThreads(_outlines, (long)poses * surfaces.SideCount);
-            _shader.DispatchThreads(_cover, (long)poses * surfaces.SphereCount);
+            _shader.DispatchThreads(_cover, (long)poses * surfaces.TriangleCount);
         }
 
         /// <summary>
