@@ -115,6 +115,26 @@ namespace Glint.Tests
             Assert.That(tracer.Statistics.BytesUploaded - uploaded, Is.LessThan(1000));
         }
 
+        // Copies of a Sea have one seed. Side by side, at the same distance, they would return twice the field of one.
+        [Test]
+        public void Trace_TwoSeasOfEqualSettings_HasTheSpeckleOfTwo()
+        {
+            var sea = new TestSea(10, 32, 32, 0, tiles: 2);
+            ClutterEcho Of(int count)
+            {
+                var pose = sea.Pose(90, 40);
+                pose.Scene = new RadarScene(sea.Instances)
+                {
+                    Seas = Enumerable.Range(0, count).Select(i => new RadarSea(sea.Clutter,
+                        new[] { new SeaTileInstance(i, int2.zero) })).ToArray()
+                };
+                return Tracer.Trace(pose, TenGigahertz).Single();
+            }
+            ClutterEcho one = Of(1), two = Of(2);
+            Assert.That(two.SigmaVV, Is.EqualTo(2 * one.SigmaVV).Within(0.5).Percent);
+            Assert.That((two.S.VV - 2 * one.S.VV).Magnitude, Is.GreaterThan(0.3 * one.S.VV.Magnitude));
+        }
+
         [Test]
         public void Trace_TilesInAnotherOrder_ChangeNoBit()
         {

@@ -109,6 +109,21 @@ namespace Glint.Tests
             AssertNear(Sum(pose), LitBy(pose.Radar.ToRadar, byPlate, plate) * Between(clutter, pose.Radar, byPlate));
         }
 
+        // |S|^2 of a moment is exponential about the cross section: over independent moments its mean is that, within five
+        // standard deviations. Signal to clutter compares the field with the clutter's cross section.
+        [Test]
+        public void Fields_OverManyMoments_HaveTheMeanCrossSection()
+        {
+            const int moments = 1000;
+            var (pose, _, _) = PlateOverASea(40, 0, 30, 0);
+            pose.Times = Enumerable.Range(0, moments).Select(moment => 100.0 * moment).ToArray();
+            var echoes = Echoes(pose);
+            Assert.That(echoes.Length, Is.EqualTo(moments));
+            foreach (var polarisation in Polarisation.All)
+                Assert.That(echoes.Average(echo => Squared(polarisation.Of(echo.S))) / echoes[0].SigmaOf(polarisation),
+                    Is.EqualTo(1).Within(5 / Math.Sqrt(moments)));
+        }
+
         // A plate that leans towards the radar also lights the sea with what the water has mirrored to it, of both images.
         [TestCase(0, 20, 15)]
         [TestCase(30, 20, 15)]
@@ -216,14 +231,16 @@ namespace Glint.Tests
             AssertIs(echo.SigmaHV, expected.HV, 0.05);
         }
 
-        static ClutterEcho Sum(CrossSectionPose pose)
+        static ClutterEcho Sum(CrossSectionPose pose) => Echoes(pose).Single();
+
+        static ClutterEcho[] Echoes(CrossSectionPose pose)
         {
             using var scene = new DeviceScene(BvhLayout.Binary, "test", long.MaxValue);
             using var surfaces = new SurfaceBuffers();
             using var kernel = new ShipSeaKernel(TestKernels.Tubes);
             scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, default));
             surfaces.Set(pose.Scene, scene.Centre, pose.CreaseDegrees, pose.CoefficientFrequency);
-            return kernel.Sum(scene, surfaces, pose).Single();
+            return kernel.Sum(scene, surfaces, pose);
         }
 
         // Per area of a level sea, mean over the slopes of its ripples.

@@ -49,7 +49,8 @@ namespace Glint.Core
         const uint BetweenSeed = 0x5bd1e995, BackSeed = 0x9e3779b9;
 
         readonly CrossSectionPose _pose;
-        readonly Dictionary<int, (RadarSea Sea, int2 Tile)> _tiles = new Dictionary<int, (RadarSea, int2)>();
+        readonly Dictionary<int, (RadarSea Sea, int2 Tile, uint Seed)> _tiles =
+            new Dictionary<int, (RadarSea, int2, uint)>();
         readonly Dictionary<SeaClutter, BistaticScattering> _scattering = new Dictionary<SeaClutter, BistaticScattering>();
         readonly Dictionary<(int Instance, int Triangle), Lit> _lit = new Dictionary<(int, int), Lit>();
 
@@ -57,9 +58,12 @@ namespace Glint.Core
         public ShipSeaEcho(CrossSectionPose pose)
         {
             _pose = pose;
-            foreach (var sea in pose.Scene.Seas)
+            for (int number = 0; number < pose.Scene.Seas.Count; number++)
+            {
+                var sea = pose.Scene.Seas[number];
                 foreach (var tile in sea.Tiles)
-                    _tiles[tile.Instance] = (sea, tile.Number);
+                    _tiles[tile.Instance] = (sea, tile.Number, Speckle.SeedOf(sea.Clutter.Seed, number));
+            }
         }
 
         // Mean cross sections of a facet, VV, HV and HH, and the ways of their paths less those of the phase centre.
@@ -119,16 +123,16 @@ namespace Glint.Core
 
         (Complex, Complex) SpecklesOf((int Instance, int Triangle) facet, double frequency, double time)
         {
-            var (sea, tile) = _tiles[facet.Instance];
+            var (sea, tile, seed) = _tiles[facet.Instance];
             double times = (sea.Clutter.Time + time) / sea.Clutter.CoherenceTimeAt(frequency);
             var cell = new int2(facet.Triangle, tile.x << 16 | tile.y & 0xffff);
-            return (Speckle.Between(cell, sea.Clutter.Seed ^ BetweenSeed, times).Approaching,
-                Speckle.Between(cell, sea.Clutter.Seed ^ BackSeed, times).Approaching);
+            return (Speckle.Between(cell, seed ^ BetweenSeed, times).Approaching,
+                Speckle.Between(cell, seed ^ BackSeed, times).Approaching);
         }
 
         static ClutterEcho EchoOf(double3 sigma, double nearer, Complex speckle, double waveNumber)
         {
-            var field = speckle * Complex.FromPolarCoordinates(1 / Math.Sqrt(4 * Math.PI), waveNumber * nearer);
+            var field = speckle * Complex.FromPolarCoordinates(1, waveNumber * nearer);
             var crossed = Math.Sqrt(sigma.y) * field;
             return new ClutterEcho
             {

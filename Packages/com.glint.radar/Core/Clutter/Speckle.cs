@@ -23,6 +23,11 @@ namespace Glint.Core
         /// <summary>Of the Bragg waves that run away from it; independent of the others.</summary>
         public Complex Receding { get; }
 
+        /// <summary>The seed of the speckle of one of the seas of a scene: seas with equal settings have different speckle.</summary>
+        /// <param name="seed">Of the sea's settings.</param>
+        /// <param name="number">Of the sea in the scene, from 0: the first has the seed of its settings.</param>
+        public static uint SeedOf(uint seed, int number) => seed + 0x9e3779b9 * (uint)number;
+
         /// <summary>The numbers at a whole multiple of the coherence time.</summary>
         /// <param name="cell">Cell of the surface.</param>
         /// <param name="seed">Seed of the sea and its tile.</param>

@@ -16,6 +16,9 @@ namespace Glint
         // Copies of all cells together, and of one cell: a copy takes the facets whose numbers are equal modulo these.
         const int MaxCopies = 4096, MaxCopiesOfACell = 256;
 
+        // Units: half of what a sum holds, beyond which it may have wrapped.
+        const long MaxOfACopy = 1L << 62;
+
         /// <summary>Copies of the sums of each cell.</summary>
         public static int CopiesOf(int cells) => Math.Max(1, Math.Min(MaxCopiesOfACell, MaxCopies / cells));
 
@@ -32,19 +35,28 @@ namespace Glint
             int copies = CopiesOf(cells);
             for (int cell = 0; cell < cells; cell++)
             {
-                var sums = new long[Overflow + 1];
+                // Copies of a large sea beside a near radar have more than a long together.
+                var sums = new double[Overflow + 1];
                 for (int sum = 0; sum <= Overflow; sum++)
                     for (int copy = 0; copy < copies; copy++)
-                        sums[sum] += TubeSums.At(output, 2 * ((sum * cells + cell) * copies + copy));
-                if (sums[Overflow] != 0)
-                    throw new GlintException($"{owner}: the echo of a facet of the sea is not finite or too large: the "
-                        + "mesh may have coordinates that float32 does not resolve");
+                    {
+                        long units = TubeSums.At(output, 2 * ((sum * cells + cell) * copies + copy));
+                        bool isTooLarge = sum == Overflow ? units != 0
+                            : units > MaxOfACopy || units < (IsOfOneSign(sum) ? 0 : -MaxOfACopy);
+                        if (isTooLarge)
+                            throw new GlintException($"{owner}: the echo of the sea is not finite or too large: the mesh "
+                                + "may have coordinates that float32 does not resolve, or the radar is much nearer to the "
+                                + "water than to the phase centre, at whose range its echo is counted");
+                        sums[sum] += units;
+                    }
                 echoes[cell] = EchoOf(sums, phase);
             }
             return echoes;
         }
 
-        static ClutterEcho EchoOf(long[] sums, Complex phase)
+        static bool IsOfOneSign(int sum) => sum >= Power && sum < Area;
+
+        static ClutterEcho EchoOf(double[] sums, Complex phase)
         {
             Complex Amplitude(int polarisation) => phase * new Complex(sums[Field + 2 * polarisation],
                 sums[Field + 2 * polarisation + 1]) / FieldUnits;

@@ -55,17 +55,18 @@ namespace Glint
         {
             _scene = scene;
             var echoes = new ClutterEcho[grid.Count];
-            foreach (var sea in pose.Scene.Seas)
+            for (int number = 0; number < pose.Scene.Seas.Count; number++)
             {
+                var sea = pose.Scene.Seas[number];
                 SetLevel(levelOf?.Invoke(sea));
-                var part = Sum(pose, sea, frequency, time, grid, progress, cancel);
+                var part = Sum(pose, sea, Speckle.SeedOf(sea.Clutter.Seed, number), frequency, time, grid, progress, cancel);
                 for (int cell = 0; cell < echoes.Length; cell++)
                     echoes[cell] += part[cell];
             }
             return echoes;
         }
 
-        ClutterEcho[] Sum(CrossSectionPose pose, RadarSea sea, double frequency, double time, ClutterGrid grid,
+        ClutterEcho[] Sum(CrossSectionPose pose, RadarSea sea, uint seed, double frequency, double time, ClutterGrid grid,
             IProgress<double> progress, CancellationToken cancel)
         {
             int[] sides = SeaGroups.SidesOf(pose, sea, grid, MinGroups);
@@ -83,7 +84,7 @@ namespace Glint
             {
                 int items = (int)SeaGroups.CountOf(cells, group.Key) + (group.Key > 1 ? _sea.BreakingCount : 0);
                 _shader.SetInts(SeaIDs._SeaGroup, group.Key, cells / group.Key, cells, tile);
-                Dispatch(items, group.Count(), (int)sea.Clutter.Seed, read,
+                Dispatch(items, group.Count(), (int)seed, read,
                     done => progress?.Report((tile + done * group.Count()) / sea.Tiles.Count), cancel);
                 tile += group.Count();
             }
