@@ -9,12 +9,15 @@ namespace Glint.Core
         readonly ScatteringMatrix _all, _sea;
         readonly ClutterEcho _clutter;
 
-        PoseEcho(in ScatteringMatrix all, in ScatteringMatrix sea, in ClutterEcho clutter) =>
-            (_all, _sea, _clutter) = (all, sea, clutter);
+        PoseEcho(in ScatteringMatrix all, in ScatteringMatrix sea, in ClutterEcho clutter, bool isMet) =>
+            (_all, _sea, _clutter, IsMet) = (all, sea, clutter, isMet);
 
         /// <summary>The echo of a cross section with one receiver and one frequency.</summary>
         public static PoseEcho Of(CrossSectionResult result) =>
-            new PoseEcho(result.S[0, 0], result.Sea[0, 0], result.Clutter[0]);
+            new PoseEcho(result.S[0, 0], result.Sea[0, 0], result.Clutter[0], result.IsMet);
+
+        /// <summary>Whether its amplitudes have the error asked for.</summary>
+        public bool IsMet { get; }
 
         /// <summary>
         /// Cross section of signal and clutter together, with the speckle of this moment, dBsm; null for 0.

@@ -1,3 +1,4 @@
+using System;
 using Glint.Core;
 using UnityEngine;
 
@@ -7,10 +8,14 @@ namespace Glint.Editor
     sealed class PoseWarnings
     {
         long _hit, _received;
-        int _poses, _undersampled;
+        int _poses, _undersampled, _missedEchoes;
 
         /// <summary>Takes the next pose.</summary>
-        public void Add(RadarResult result) => Add(result.RaysHit, result.RaysReceived, result.Undersampled);
+        public void Add(RadarResult result)
+        {
+            Add(result.RaysHit, result.RaysReceived, result.Undersampled);
+            _missedEchoes += result.Echo?.IsMet == false ? 1 : 0;
+        }
 
         /// <summary>Takes a pose of a run that is resumed or merged.</summary>
         public void Add(StoredRow row) => Add((long)row[ResultColumn.RaysHit], (long)row[ResultColumn.RaysReceived],
@@ -34,6 +39,11 @@ namespace Glint.Editor
                 WarnOfTolerance(name);
             else if (_received > 0)
                 WarnOfUndersampling(name);
+            if (_missedEchoes > 0)
+                Debug.LogWarning(FormattableString.Invariant(
+                    $"{name}: the cross sections with clutter are less exact than {CrossSectionPose.PictureToleranceDb:g3} dB")
+                    + (_poses == 1 ? "" : $" in {_missedEchoes} of the poses traced")
+                    + ": the target has places that ray tubes do not resolve");
         }
 
         // No hit in any pose is a valid result, but more often a wrong aim.
