@@ -16,7 +16,7 @@ namespace Glint
         // Copies of all cells together, and of one cell: a copy takes the facets whose numbers are equal modulo these.
         const int MaxCopies = 4096, MaxCopiesOfACell = 256;
 
-        // Units: half of what a sum holds, beyond which it may have wrapped.
+        // Units: half of what a sum holds; one with more may have wrapped.
         const long MaxOfACopy = 1L << 62;
 
         /// <summary>Copies of the sums of each cell.</summary>
