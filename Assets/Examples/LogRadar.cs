@@ -1,11 +1,17 @@
 using Glint;
 using UnityEngine;
 
-/// <summary>How to use the radar from code: put this on any object of a scene with a radar and press play.</summary>
+/// <summary>
+/// How to use the radar from code: put this on any object of a scene with a radar, which its field Radar then names, and
+/// press play.
+/// </summary>
 public sealed class LogRadar : MonoBehaviour
 {
     [SerializeField]
     RadarController _radar;
+
+    // In the editor, when the component is added.
+    void Reset() => _radar = FindFirstObjectByType<RadarController>();
 
     void Start()
     {

@@ -246,6 +246,25 @@ namespace Glint.Tests
         }
 
         [UnityTest]
+        public IEnumerator Run_ByAListenerOfTheLastRow_BeginsTheNextRun()
+        {
+            (_radar.Azimuths, _radar.ToleranceDb) = ("0,30", 1);
+            int rows = 0;
+            _radar.RowComputed += row =>
+            {
+                rows++;
+                if (rows != 2)
+                    return;
+                _radar.Azimuths = "60";
+                _radar.Run();
+            };
+            _radar.enabled = true;
+            yield return Finish();
+            Assert.That((rows, _radar.Rows.Count, _radar.RowCount, _radar.Problem), Is.EqualTo((3, 1, 1, (string)null)));
+            Assert.That(File.Exists(Path.Combine(_folder, "results.json")));
+        }
+
+        [UnityTest]
         public IEnumerator Disable_DuringARun_EndsItAndGivesTheFolderBack()
         {
             _radar.ToleranceDb = 1;

@@ -51,7 +51,7 @@ float4 _SeaTime;                           // time, s: a whole number near that 
 float4 _SeaCellX, _SeaCellY;               // place in cells: dot(xyz, position) + w
 uint4 _SeaCells;                           // cells by x and y; copies
 
-// Sums, of 64 bits each. Those of all cells and copies lie side by side: neighbouring threads, which add to neighbouring
+// Sums, of three words each, of which fields and areas take two. Those of all cells and copies lie side by side: neighbouring threads, which add to neighbouring
 // copies, then share lines of memory.
 static const uint SEA_FIELD = 0;           // S of VV, HV and HH: real and imaginary part
 static const uint SEA_POWER = 6;           // without speckle: VV, HV, HH
@@ -61,7 +61,9 @@ static const uint SEA_OVERFLOW = 11;       // 1: an echo was too large for a sum
 static const float SEA_FIELD_UNITS = 16777216.0;       // a metre
 static const float SEA_POWER_UNITS = 1099511627776.0;  // a square metre
 static const float SEA_AREA_UNITS = 1048576.0;         // a square metre
-static const float SEA_MAX_UNITS = 4.0e18;
+static const uint SEA_SUM_WORDS = 3;
+static const float SEA_MAX_UNITS = 4.0e18;             // of two words
+static const float SEA_MAX_POWER_UNITS = 1.0e28;       // of the upper two of three words
 
 // Of Core/Clutter/ClutterMotion.cs.
 static const float GRAVITY = 9.81;         // m/s2
@@ -119,7 +121,7 @@ bool IsLit(float3 position, float3 normal, Receiver radar)
 
 uint WordOf(uint sum, uint copy)
 {
-    return 2 * (sum * _SeaCells.x * _SeaCells.y * _SeaCells.z + copy);
+    return SEA_SUM_WORDS * (sum * _SeaCells.x * _SeaCells.y * _SeaCells.z + copy);
 }
 
 void AddSea(uint copy, uint sum, float value, float unitsPerValue)
@@ -129,6 +131,20 @@ void AddSea(uint copy, uint sum, float value, float unitsPerValue)
         InterlockedOr(_Sums[WordOf(SEA_OVERFLOW, copy)], 1);
     else
         AddUnits(WordOf(sum, copy), 2, units);
+}
+
+// Water just below a radar that looks far has a large power at the range of the phase centre, of which float32 has no digits in
+// the lowest word.
+void AddPower(uint copy, uint polarisation, float power)
+{
+    float units = round(power * SEA_POWER_UNITS);
+    uint word = WordOf(SEA_POWER + polarisation, copy);
+    if (IsNaN(units) || units > SEA_MAX_POWER_UNITS)
+        InterlockedOr(_Sums[WordOf(SEA_OVERFLOW, copy)], 1);
+    else if (units > SEA_MAX_UNITS)
+        AddUnits(word + 1, 2, round(units / TWO_TO_32));
+    else
+        AddUnits(word, 3, units);
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -178,7 +194,7 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     [unroll]
     for (uint i = 0; i < 3; i++)
     {
-        AddSea(copy, SEA_POWER + i, power[i], SEA_POWER_UNITS);
+        AddPower(copy, i, power[i]);
         AddSea(copy, SEA_FIELD + 2 * i, sqrt(power[i]) * field.x, SEA_FIELD_UNITS);
         AddSea(copy, SEA_FIELD + 2 * i + 1, sqrt(power[i]) * field.y, SEA_FIELD_UNITS);
     }

@@ -115,6 +115,26 @@ namespace Glint.Tests
             Assert.That(tracer.Statistics.BytesUploaded - uploaded, Is.LessThan(1000));
         }
 
+        // Water near a radar that looks far: the cross section at the range of the phase centre grows with its fourth power,
+        // here to 10^8 and 10^14 m2.
+        [TestCase(30)]
+        [TestCase(1000)]
+        public void Trace_OfASeaNearerThanThePhaseCentre_GrowsWithTheFourthPowerOfRange(double times)
+        {
+            const double range = 200;
+            var sea = new TestSea(10, 32, 64, 35);
+            ClutterEcho At(double factor)
+            {
+                var pose = sea.Pose(20, 50);
+                (pose.Range, pose.PhaseCentre) = (factor * range, (1 - factor) * range * pose.Radar.ToRadar);
+                return Tracer.Trace(pose, TenGigahertz).Single();
+            }
+            ClutterEcho near = At(1), far = At(times);
+            Assert.That(far.SigmaVV / near.SigmaVV, Is.EqualTo(Math.Pow(times, 4)).Within(0.01).Percent);
+            Assert.That(far.SigmaHV / near.SigmaHV, Is.EqualTo(Math.Pow(times, 4)).Within(0.01).Percent);
+            Assert.That(far.LitFraction, Is.EqualTo(near.LitFraction));
+        }
+
         // Copies of a Sea have one seed. Side by side, at the same distance, they would return twice the field of one.
         [Test]
         public void Trace_TwoSeasOfEqualSettings_HasTheSpeckleOfTwo()

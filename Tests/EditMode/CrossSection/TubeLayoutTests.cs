@@ -147,7 +147,7 @@ namespace Glint.Tests
                 ["SEA_LIT_AREA"] = ClutterSums.LitArea, ["SEA_OVERFLOW"] = ClutterSums.Overflow,
                 ["SEA_FIELD_UNITS"] = ClutterSums.FieldUnits,
                 ["SEA_POWER_UNITS"] = ClutterSums.PowerUnits, ["SEA_AREA_UNITS"] = ClutterSums.AreaUnits,
-                ["SEA_MAX_UNITS"] = 4e18,
+                ["SEA_SUM_WORDS"] = ClutterSums.SumWords, ["SEA_MAX_UNITS"] = 4e18, ["SEA_MAX_POWER_UNITS"] = 1e28,
                 // Of hashes: neither is a time of speckle.
                 ["SEA_CHOICE"] = ShaderConstants.Of("Speckle.hlsl")["NO_TIME"] + 1,
                 ["GRAVITY"] = SeaSpectrum.Gravity, ["TENSION"] = ClutterMotion.Tension

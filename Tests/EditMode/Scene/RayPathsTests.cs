@@ -177,6 +177,18 @@ namespace Glint.Tests
             Assert.That((_paths.Count, mesh.vertexCount), Is.EqualTo((0, 8)), "the receiver alone");
         }
 
+        // Ray Paths that are shown after the receiver of the radar has gone.
+        [Test]
+        public void Lines_WhoseFirstPoseCannotBeTraced_AreNone()
+        {
+            _radar.Trace();
+            _radar.Receiver = null;
+            LogAssert.Expect(LogType.Warning, new Regex("Ray Paths of 'Radar': .*has no receiver"));
+            for (int frame = 0; frame < 2; frame++)
+                Assert.That(() => Camera.onPreCull(_camera.GetComponent<Camera>()), Throws.Nothing);
+            Assert.That(_paths.Count, Is.Zero);
+        }
+
         [Test]
         public void Lines_AfterAnotherPose_AreThoseOfThatPose()
         {

@@ -136,6 +136,8 @@ namespace Glint.Tests
             int triangles = Triangles();
             _sea.enabled = false;
             Assert.That(Triangles(), Is.Zero);
+            _sea.Rebuild();
+            Assert.That(Triangles(), Is.Zero, "a sweep rebuilds all seas");
             _sea.enabled = true;
             Assert.That(Triangles(), Is.EqualTo(triangles));
             _sea.Extent = new Vector2(32, 32);

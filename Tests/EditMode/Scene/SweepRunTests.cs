@@ -263,6 +263,17 @@ namespace Glint.Tests
             Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
         }
 
+        [Test]
+        public void Step_AfterTheRadarIsDestroyed_SaysSo()
+        {
+            using (var run = Sweep(new SweepPlan(new double[] { 0, 10 })))
+            {
+                run.Step();
+                Object.DestroyImmediate(_camera);
+                Assert.That(() => run.Step(), Throws.TypeOf<GlintException>().With.Message.Contains("was destroyed"));
+            }
+        }
+
         static readonly Action<RadarController, PoseInFlight>[] s_ends =
         {
             (radar, pose) => radar.Release(), (radar, pose) => radar.enabled = false,

@@ -51,7 +51,8 @@ namespace Glint.Editor
         public void Dispose()
         {
             // Unless another caller, such as a sweep, has traced with it since.
-            if (_result != null && _radar != null && _radar.Result == _result && !Application.isPlaying)
+            // A radar that was never active is not told that it is destroyed.
+            if (_result != null && _radar.Result == _result && !Application.isPlaying)
                 _radar.Release();
             _result = null;
         }

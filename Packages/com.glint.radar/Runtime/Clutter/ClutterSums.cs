@@ -13,17 +13,17 @@ namespace Glint
         /// <summary>Units: SEA_FIELD_UNITS a metre, SEA_POWER_UNITS and SEA_AREA_UNITS a square metre.</summary>
         public const double FieldUnits = 1 << 24, PowerUnits = 1L << 40, AreaUnits = 1 << 20;
 
+        /// <summary>Words of a sum: SEA_SUM_WORDS.</summary>
+        public const int SumWords = 3;
+
         // Copies of all cells together, and of one cell: a copy takes the facets whose numbers are equal modulo these.
         const int MaxCopies = 4096, MaxCopiesOfACell = 256;
-
-        // Units: half of what a sum holds; one with more may have wrapped.
-        const long MaxOfACopy = 1L << 62;
 
         /// <summary>Copies of the sums of each cell.</summary>
         public static int CopiesOf(int cells) => Math.Max(1, Math.Min(MaxCopiesOfACell, MaxCopies / cells));
 
         /// <summary>Words of all sums of cells.</summary>
-        public static int WordsOf(int cells) => 2 * (Overflow + 1) * cells * CopiesOf(cells);
+        public static int WordsOf(int cells) => SumWords * (Overflow + 1) * cells * CopiesOf(cells);
 
         /// <summary>The echo of each cell.</summary>
         /// <param name="phase">Factor of the field: the kernel's phases are about the scene's centre.</param>
@@ -35,26 +35,26 @@ namespace Glint
             int copies = CopiesOf(cells);
             for (int cell = 0; cell < cells; cell++)
             {
-                // Copies of a large sea beside a near radar have more than a long together.
                 var sums = new double[Overflow + 1];
                 for (int sum = 0; sum <= Overflow; sum++)
                     for (int copy = 0; copy < copies; copy++)
-                    {
-                        long units = TubeSums.At(output, 2 * ((sum * cells + cell) * copies + copy));
-                        bool isTooLarge = sum == Overflow ? units != 0
-                            : units > MaxOfACopy || units < (IsOfOneSign(sum) ? 0 : -MaxOfACopy);
-                        if (isTooLarge)
-                            throw new GlintException($"{owner}: the echo of the sea is not finite or too large: the mesh "
-                                + "may have coordinates that float32 does not resolve, or the radar is much nearer to the "
-                                + "water than to the phase centre, at whose range its echo is counted");
-                        sums[sum] += units;
-                    }
+                        sums[sum] += UnitsOf(output, SumWords * ((sum * cells + cell) * copies + copy), IsPower(sum));
+                if (sums[Overflow] != 0)
+                    throw new GlintException($"{owner}: the echo of a facet of the sea is not finite or too large: the "
+                        + "mesh may have coordinates that float32 does not resolve");
                 echoes[cell] = EchoOf(sums, phase);
             }
             return echoes;
         }
 
-        static bool IsOfOneSign(int sum) => sum >= Power && sum < Area;
+        static bool IsPower(int sum) => sum >= Power && sum < Area;
+
+        // Powers have 96 bits, and are not negative.
+        static double UnitsOf(uint[] output, int word, bool isPower)
+        {
+            long lower = TubeSums.At(output, word);
+            return isPower ? (ulong)lower + (double)output[word + 2] * ((double)ulong.MaxValue + 1) : lower;
+        }
 
         static ClutterEcho EchoOf(double[] sums, Complex phase)
         {

@@ -1,11 +1,14 @@
+using System;
 using UnityEngine;
 
 namespace Glint
 {
     /// <summary>
     /// Tells a component that runs in edit mode too when the scene begins to play. Where Play does not reload the scene
-    /// (Project Settings, Editor), Unity does not send Start again to a script that had it in edit mode.
+    /// (Project Settings, Editor), Unity does not send Start again to a script that had it in edit mode. Serializable, so
+    /// that Unity keeps it when scripts are compiled during Play: the scene does not begin to play then.
     /// </summary>
+    [Serializable]
     struct PlayWatch
     {
         bool _isPlaying;

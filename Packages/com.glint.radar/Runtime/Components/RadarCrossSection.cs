@@ -260,15 +260,16 @@ namespace Glint
         {
             if (!IsRunning)
                 return;
-            // A listener may end the run.
-            for (int end = _rows.Count + RowsOfStep; IsRunning && _rows.Count < end;)
+            // A listener may end the run, or begin another one.
+            var run = _run;
+            for (int end = _rows.Count + RowsOfStep; _run == run && _rows.Count < end;)
             {
-                var row = _run.Step(progress, cancel);
-                bool isComplete = _run.IsComplete;
+                var row = run.Step(progress, cancel);
+                bool isComplete = run.IsComplete;
                 _rows.Add(row);
                 _progress.Advance(_rows.Count, row.ToString());
                 RowComputed?.Invoke(row);
-                if (!isComplete)
+                if (!isComplete || IsRunning && _run != run)
                     continue;
                 End();
                 Warn();

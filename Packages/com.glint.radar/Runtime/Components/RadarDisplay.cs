@@ -28,7 +28,8 @@ namespace Glint
         static string TextOf(Sweep sweep)
         {
             string progress = FormattableString.Invariant($"{sweep.PosesDone} of {sweep.Poses} poses");
-            if (sweep.Problem != null)
+            // Unity makes an empty string of null when it compiles scripts during Play.
+            if (!string.IsNullOrEmpty(sweep.Problem))
                 return $"{progress}\n{sweep.Problem}";
             if (sweep.Poses > 0 && sweep.PosesDone == sweep.Poses)
                 progress += $", written to {sweep.ResultsPath}";

@@ -215,7 +215,8 @@ namespace Glint
         void Build()
         {
             _isBuilt = true;
-            if (_radar.Result == null)
+            // Without a scene the first pose could not be gathered.
+            if (_radar.Result == null || _pose.Scene == null)
                 return;
             if (_lines == null)
                 _lines = new Mesh

@@ -71,7 +71,7 @@ namespace Glint
         Material _instanced;
         Vector3 _localCentre;
         int _layer; // of the tiles
-        bool _isStale;
+        bool _isStale, _isRefused; // an error is reported once
 
         /// <summary>Stored moments, in order. Call <see cref="Rebuild"/> after a change.</summary>
         public List<SeaSnapshot> Snapshots => _snapshots;
@@ -191,9 +191,15 @@ namespace Glint
             // before anything is refused: an error is reported once, until the centre, the layer or a setting changes
             (_localCentre, _layer) = (LocalCentre(), gameObject.layer);
             Check();
+            if (!isActiveAndEnabled)
+            {
+                _tiles.Hide(transform);
+                return;
+            }
             var tile = Tile(out double size);
             _tiles.Rebuild(transform, tile, Instanced(), size, _extent, _localCentre, Subject);
             _tiles.Draw(_drawInScene);
+            _isRefused = false;
         }
 
         /// <summary>Refuses invalid settings.</summary>
@@ -362,7 +368,7 @@ namespace Glint
         void Move()
         {
             if (_motion == SeaMotion.Waves)
-                (_timeSeconds, _isStale) = (_timeSeconds + Time.deltaTime, true);
+                (_timeSeconds, _isStale) = (_timeSeconds + Time.deltaTime, _isStale || !_isRefused);
             if (_motion != SeaMotion.Snapshots || _snapshots.Count == 0)
                 return;
             int shown = 1 + (int)(Time.time / _secondsPerSnapshot) % _snapshots.Count;
@@ -379,6 +385,7 @@ namespace Glint
             }
             catch (GlintException problem)
             {
+                _isRefused = true;
                 _tiles.Hide(transform);
                 Debug.LogError(problem.Message, this);
             }

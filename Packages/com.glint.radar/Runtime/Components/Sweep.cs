@@ -152,6 +152,8 @@ namespace Glint
 
         void Begin()
         {
+            // Where Play does not reload the scene, those of the Play before are still there.
+            (Problem, ResultsPath, Poses, PosesDone) = (null, null, 0, 0);
             var plan = Plan();
             if (_radar == null)
                 _radar = SceneSearch.FindRadar(Searcher);

@@ -81,6 +81,8 @@ namespace Glint
             var (parent, position, rotation, order) =
                 (radar.parent, radar.localPosition, radar.localRotation, radar.GetSiblingIndex());
             var aim = new GameObject("Radar Aim").transform;
+            // Below the radar first: it takes the aim into its scene, where that stays if the radar has no parent.
+            aim.SetParent(radar, false);
             aim.SetParent(parent, false);
             aim.rotation = radar.rotation;
             aim.position = new Vector3((float)point.x, (float)point.y, (float)point.z);
@@ -128,6 +130,8 @@ namespace Glint
 
         internal override void PutBack()
         {
+            if (_radar == null && _restore != null && _aim != null)
+                Object.DestroyImmediate(_aim.gameObject);
             if (_radar == null || _aim == null)
                 return;
             _aim.localRotation = _rotation;

@@ -95,6 +95,8 @@ namespace Glint
             RayReadback readback = RayReadback.None)
         {
             var radar = _setup.Radar;
+            if (radar == null)
+                throw new GlintException("the radar of the sweep was destroyed: it must stay until the last pose");
             bool isStarted = _started.Count > 0 && radar.IsInFlight(_started[0]) && _started[0].Readback == readback;
             if (!isStarted)
             {

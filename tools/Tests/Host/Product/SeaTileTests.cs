@@ -18,6 +18,24 @@ public sealed class SeaTileTests : EngineFixture
         Assert.That(SceneManager.GetActiveScene().isDirty, "an object that is saved");
     }
 
+    [Test]
+    public void Motion_OfASeaThatCannotBeShown_IsReportedOnce()
+    {
+        Play();
+        Sea sea = Asleep("Sea").AddComponent<Sea>();
+        sea.Motion = SeaMotion.Waves;
+        sea.Snapshots.Add(null);
+        sea.gameObject.SetActive(true);
+        Steps(5);
+        Assert.That(Errors, Has.Exactly(1).Contains("its motion is Waves"));
+        sea.Snapshots.Clear();
+        sea.Rebuild();
+        float before = (float)sea.TimeSeconds;
+        Steps(2);
+        Assert.That(sea.TimeSeconds, Is.GreaterThan(before));
+        Assert.That(Tiles, Is.Not.Empty);
+    }
+
     static MeshRenderer[] Tiles =>
         Object.FindObjectsByType<MeshRenderer>(FindObjectsInactive.Exclude, FindObjectsSortMode.None);
 }

@@ -109,7 +109,8 @@ namespace Glint.Editor.Views
             (_progress.highValue, _progress.value) = (Radar.RowCount, Radar.Rows.Count);
             _progress.title = Radar.RowCount > 0 ? $"{Radar.Rows.Count} of {Radar.RowCount} rows" : "";
             _problem.text = Radar.Problem ?? "";
-            _problem.style.display = Radar.Problem == null ? DisplayStyle.None : DisplayStyle.Flex;
+            // Unity makes an empty string of null when it compiles scripts.
+            _problem.style.display = _problem.text == "" ? DisplayStyle.None : DisplayStyle.Flex;
             _plot.Show(Radar.Rows, Radar.RunPlan);
             Parts.ShowRows(_results, CrossSectionCheck.Results(Radar));
         }
