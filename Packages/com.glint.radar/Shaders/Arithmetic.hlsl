@@ -24,7 +24,7 @@ float2 HiLo(DoubleFloat a)
 }
 
 [numthreads(64, 1, 1)]
-void Arithmetic(uint3 thread : SV_DispatchThreadID)
+void GLINT_KERNEL(uint3 thread : SV_DispatchThreadID)
 {
     float4 n = _Operands[thread.x];
     DoubleFloat a = TwoSum(n.x, n.y), b = TwoSum(n.z, n.w);

@@ -46,8 +46,8 @@ float4 _WaveNumberTurns;                    // x: 1 / wavelength, turns per m; y
 
 // Input: the work of this dispatch.
 StructuredBuffer<uint> _Cells;              // first tile (8 x 8 rays) of each: column | row << 16
-uint4 _CellSize;                            // x: tiles across a cell, y: down
-uint _FirstTile;
+uint4 _CellSize;                            // tiles across a cell, and down; first cell of this dispatch, and its tile there
+float4 _CellInverse;                        // x: 1 / tiles of a cell, y: 1 / tiles across
 uint _TileCount;                            // of this dispatch
 // entry points of each cell of this dispatch, four elements a cell: one per instance
 StructuredBuffer<uint4> _EntryPoints;

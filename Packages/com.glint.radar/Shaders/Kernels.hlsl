@@ -21,24 +21,34 @@
 #include "Identity.hlsl"
 #endif
 
+// Whole quotient of numbers of tiles, which are below 2^23: a GPU has no instruction for it.
+uint Quotient(uint tiles, uint divisor, float inverse)
+{
+    uint quotient = (uint)((float)tiles * inverse);
+    quotient -= quotient * divisor > tiles ? 1 : 0;
+    return quotient + (tiles - quotient * divisor >= divisor ? 1 : 0);
+}
+
 // Cell of a tile, of those of this dispatch.
 uint CellOf(uint tile)
 {
-    return (_FirstTile + tile) / (_CellSize.x * _CellSize.y) - _FirstTile / (_CellSize.x * _CellSize.y);
+    return Quotient(_CellSize.w + tile, _CellSize.x * _CellSize.y, _CellInverse.x);
 }
 
 // First tile of a cell: column, row.
 uint2 CellCorner(uint cell)
 {
-    uint corner = _Cells[_FirstTile / (_CellSize.x * _CellSize.y) + cell];
+    uint corner = _Cells[_CellSize.z + cell];
     return uint2(corner & 0xffff, corner >> 16);
 }
 
 // First pixel of a tile. The tiles of a cell go from its top down, as the cells do on a GPU.
 uint2 TilePixel(uint tile)
 {
-    uint tilesPerCell = _CellSize.x * _CellSize.y, inCell = tilesPerCell - 1 - (_FirstTile + tile) % tilesPerCell;
-    return (CellCorner(CellOf(tile)) + uint2(inCell % _CellSize.x, inCell / _CellSize.x)) * TILE_SIDE;
+    uint tilesPerCell = _CellSize.x * _CellSize.y, cell = CellOf(tile);
+    uint inCell = tilesPerCell - 1 - (_CellSize.w + tile - cell * tilesPerCell);
+    uint row = Quotient(inCell, _CellSize.x, _CellInverse.y);
+    return (CellCorner(cell) + uint2(inCell - row * _CellSize.x, row)) * TILE_SIDE;
 }
 
 // A point of a pixel, in rays from _ReferencePixel.

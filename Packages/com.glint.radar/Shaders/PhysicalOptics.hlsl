@@ -2,6 +2,7 @@
 #define GLINT_PHYSICAL_OPTICS
 
 #include "TubePath.hlsl"
+#include "Footprint.hlsl"
 
 // The currents that a tube paints on the surface at each hit, and what they radiate (Documentation~/rcs.md).
 
@@ -13,6 +14,7 @@ struct Receiver
     float3 Direction;      // unit vector from the hit
     float3 V, H;
     float Distance;        // to the receiver, m; MISS: far
+    float Reach;           // in which something may hide it, m: a camera with parallel rays is not far
     float Phase;           // the way from the scene's centre to the receiver less that from the hit, m
     float Strength;        // of what arrives, relative to that from the scene's centre
 };
@@ -27,12 +29,16 @@ Receiver ReceiverFrom(uint index, float3 position)
     receiver.V = _Receivers[row + 1].xyz;
     receiver.H = _Receivers[row + 2].xyz;
     receiver.Distance = MISS;
+    receiver.Reach = MISS;
     receiver.Phase = dot(position, receiver.Direction);
     receiver.Strength = 1.0;
+    if (_IsNear == 0 && _FootprintPosition.w != 0.0)
+        receiver.Reach = max(0.0, dot(_FootprintPosition.xyz - position, receiver.Direction));
     if (_IsNear != 0)
     {
         float3 way = place.xyz - position;
         receiver.Distance = length(way);
+        receiver.Reach = receiver.Distance;
         receiver.Direction = way / receiver.Distance;
         // the difference of both distances, without cancellation
         receiver.Phase = dot(position, place.xyz + way) / (receiver.Distance + place.w);
@@ -75,7 +81,7 @@ bool IsInSight(float3 start, uint2 excludedTriangle, Receiver receiver)
     ray.Direction = receiver.Direction;
     ray.ExcludedTriangle = excludedTriangle;
     bool isAmbiguous;
-    return !AnyHit(ray, receiver.Distance, isAmbiguous);
+    return !AnyHit(ray, receiver.Reach, isAmbiguous);
 }
 
 // Whether the current at a hit radiates to a receiver.

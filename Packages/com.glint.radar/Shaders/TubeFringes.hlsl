@@ -198,7 +198,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (!TakeOfPose(number, _EdgeRange.y * _ReceiverCount))
         return;
     EdgePiece piece = _EdgePieces[_EdgeRange.x + number / _ReceiverCount];
-    if (SquareSine(ReceiverFrom(_ReceiverCount, piece.Centre).Direction, piece.Along) < MIN_SQUARE_SINE)
+    if (!IsInFootprint(piece.Centre)
+        || SquareSine(ReceiverFrom(_ReceiverCount, piece.Centre).Direction, piece.Along) < MIN_SQUARE_SINE)
         return;
     float2 part = 0.5 * piece.Length * float2(-1.0, 1.0);
     uint rays = 0, queries = _IsMonostatic != 0 ? 1 : 2;

@@ -95,7 +95,7 @@ namespace Glint.Tests
             };
             var plan = new CrossSectionPlan(new[] { 0.0 }, new[] { 1.0 }, new[] { TenGigahertz });
             var setup = new CrossSectionSetup(scene, plan) { Range = 5000 };
-            var ahead = setup.TakeAhead().WedgesOf(setup.FoundPatches).Wedges;
+            var ahead = setup.TakeAhead().WedgesOf(setup.FoundPatches, default).Wedges;
             var expected = EdgeBuffers.WedgesOf(setup.PoseOf(plan[0]).Scene, setup.FoundPatches).Wedges;
             Assert.That(ahead.Select(wedge => (wedge.A, wedge.B)), Is.EqualTo(expected.Select(wedge => (wedge.A, wedge.B))));
             var flat = EdgeBuffers.WedgesOf(scene, setup.FoundPatches).Wedges;

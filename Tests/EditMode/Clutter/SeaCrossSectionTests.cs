@@ -220,6 +220,104 @@ namespace Glint.Tests
             Assert.That((half - 0.5 * whole).Magnitude, Is.LessThan(0.02 * whole.Magnitude));
         }
 
+        // Nor do edges that are beside the picture, or behind the camera.
+        [TestCase(double.PositiveInfinity, 40, 3)]
+        [TestCase(60, 40, 3)]
+        [TestCase(60, 0, -80)]
+        public void Trace_WithAFootprint_HasNoEdgesOutsideOfIt(double range, double x, double z)
+        {
+            var pose = CalmSea(0, new[] { Plate() });
+            var other = Plate();
+            (other.ToWorld.Origin, pose.HasEdges) = (new double3(x, 0, z - 3), true);
+            var plate = pose.Scene.Instances[1];
+            pose.PhaseCentre = new double3(0, 0.3, 3);
+            (pose.Range, pose.ToleranceDb) = (range, 0.1);
+            pose.Footprint = FootprintOf(pose, 0);
+            // Of the plate from aside, beside its mirror echo.
+            plate.ToWorld = Affine.FromTransform(new double3(0.5, 0, 2), new double4(0, 0.2, 0, 1), 1);
+            pose.Scene = new RadarScene(plate);
+            var alone = Tracer.Trace(pose).S[0, 0].VV;
+            pose.Scene = new RadarScene(plate, other);
+            Assert.That((Tracer.Trace(pose).S[0, 0].VV - alone).Magnitude, Is.LessThan(0.02 * alone.Magnitude));
+        }
+
+        // A wall behind a camera with parallel rays hides nothing from it.
+        [Test]
+        public void Trace_WithAWallBehindTheCamera_IsThatWithoutIt()
+        {
+            var pose = CalmSea(25, new[] { Plate() });
+            pose.PhaseCentre = new double3(0, 0.3, 3);
+            pose.Footprint = FootprintOf(pose, 0);
+            var wall = Plate();
+            wall.ToWorld = Affine.FromTransform(pose.PhaseCentre + 50 * pose.Radar.ToRadar, new double4(0, 0, 0, 1), 100);
+            wall.ToWorld.Origin -= new double3(0, 30, 300);
+            // A mirror of water: with clutter the wall would also light it.
+            var surfaces = pose.Scene.Surfaces;
+            RadarScene With(params MeshInstance[] others) =>
+                new RadarScene(pose.Scene.Instances.Take(2).Concat(others).ToArray()) { Surfaces = surfaces };
+            pose.Scene = With();
+            var alone = Tracer.Trace(pose).S[0, 0].HH;
+            Assert.That(alone.Magnitude, Is.GreaterThan(1), "the corner of plate and water");
+            pose.Scene = With(wall);
+            Assert.That((Tracer.Trace(pose).S[0, 0].HH - alone).Magnitude, Is.LessThan(0.05 * alone.Magnitude));
+        }
+
+        // Water all around, and behind the camera, changes neither range nor phase centre of a ship's picture.
+        [Test]
+        public void Pose_OfAPictureWithWaterAllAround_HasTheRangeOfTheTarget()
+        {
+            var sea = new TestSea(5, 64, 8, 0, 0, tiles: 9);
+            var target = Plate();
+            target.ToWorld.Origin = new double3(0, 0, 497);
+            var instances = sea.Instances.Select((tile, i) =>
+            {
+                tile.ToWorld.Origin = new double3(0, 0, 64 * (i - 4));
+                return tile;
+            }).ToArray();
+            CrossSectionPose Of(params MeshInstance[] others) => CrossSectionPose.Of(new RadarPose
+            {
+                Settings = RadarSettings.Default,
+                View = new RadarView
+                {
+                    Position = new double3(0, 20, 0), Right = new double3(1, 0, 0), Up = new double3(0, 1, 0),
+                    Forward = new double3(0, 0, 1), VerticalFovDegrees = 60
+                },
+                Scene = new RadarScene(instances.Concat(others).ToArray())
+                {
+                    Seas = new[] { new RadarSea(sea.Clutter, Enumerable.Range(0, 9)
+                        .Select(i => new SeaTileInstance(i, new int2(0, i))).ToArray()) }
+                }
+            });
+            Assert.That(Of(target).Range, Is.EqualTo(500).Within(0.5));
+            Assert.That(Of().Range, Is.EqualTo(4.5 * 64 / 2).Within(1), "half of the water before it");
+        }
+
+        // A picture of 60 degrees from 3 km has 10^9 cells of four wavelengths. Those before a scene of some metres suffice.
+        [TestCase(0)]
+        [TestCase(4000)]
+        public void Grid_OfAPictureOfAFarScene_HasTheCellsBeforeIt(double aperture)
+        {
+            const double distance = 3000, size = 20;
+            var view = new RadarView
+            {
+                Position = new double3(0, 0, -distance), Right = new double3(1, 0, 0), Up = new double3(0, 1, 0),
+                Forward = new double3(0, 0, 1), VerticalFovDegrees = 60, ApertureHeight = aperture
+            };
+            double3 corner = size / 2;
+            var pose = new CrossSectionPose
+            {
+                Radar = new RadarAspect(-view.Forward, view.Up, view.Right), Frequencies = new[] { TenGigahertz },
+                Range = aperture > 0 ? double.PositiveInfinity : distance,
+                Footprint = new RadarFootprint(view, RadarSettings.Default)
+            };
+            double side = TubeGrid.SideFor(pose, -corner, corner);
+            var cells = new TubeGrid(pose, side, -corner, corner).Cells;
+            // The face of the box that is nearer to the radar looks larger.
+            double across = aperture > 0 ? size : size * distance / (distance - size / 2);
+            Assert.That(math.cmin(cells), Is.GreaterThanOrEqualTo(across / side));
+            Assert.That(math.cmax(cells), Is.LessThanOrEqualTo(across / side + 5));
+        }
+
         // 80 cells high, twice as wide; up: parallel rays begin that much higher, in half pictures.
         static RadarFootprint FootprintOf(CrossSectionPose pose, double up)
         {

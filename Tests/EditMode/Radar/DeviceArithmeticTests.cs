@@ -21,6 +21,7 @@ namespace Glint.Tests
         [TestCase("FoldedSums", "TwoSum")]
         [TestCase("FusedProducts", "TwoProd")]
         [TestCase("FusedSides", "SideOf")]
+        [TestCase("RoundedTwice", "TwoProd")]
         public void FirstWrong_WithFastMath_NamesTheOperation(string kernel, string operation) =>
             Assert.That(DeviceArithmetic.FirstWrong(TestKernels.FastMath, kernel),
                 Does.StartWith(operation + " gives "));

@@ -49,8 +49,7 @@ namespace Glint.Tests
             Assert.That(actual.Bounces, Is.EqualTo(expected.Bounces));
             Assert.That(actual.Segments, Is.EqualTo(expected.Segments));
             Assert.That(actual.PhaseHistogram, Is.EqualTo(expected.PhaseHistogram));
-            Assert.That(BitConverter.DoubleToInt64Bits(actual.SamplingError.Value),
-                Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.SamplingError.Value)), "sampling error");
+            Assert.That(actual.SamplingError, Is.EqualTo(expected.SamplingError), "sampling error");
             Assert.That(actual.LargestPathStep, Is.EqualTo(expected.LargestPathStep));
         }
 
@@ -361,6 +360,36 @@ namespace Glint.Tests
                 var elsewhere = TestRadar.LookAt(double3(9, 10, 11), double3(3, 0, 0), fov: 60);
                 other.Trace(new RadarPose(new RadarScene(TestRadar.Trihedral(0, 1)), s_settings, elsewhere), RayReadback.None);
                 AssertSame(tracer.Finish(inFlight), expected);
+            }
+        }
+
+        // A plate that returns 345,600 rays, more than a dispatch refines and than the list holds for those whose triangles are
+        // known, and the next pose of a sweep, which has few tiles and a short list.
+        [Test]
+        [Timeout(600000)]
+        public void Finish_AfterASmallPoseHasStarted_HasAllRays()
+        {
+            var settings = RadarSettings.Default;
+            (settings.RaysAcross, settings.RaysDown, settings.SkipSamplingError) = (720, 480, true);
+            var plate = new TriangleMesh(
+                new[] { float3(-9, -9, 0), float3(9, -9, 0), float3(9, 9, 0), float3(-9, 9, 0) }, new[] { 0, 2, 1, 0, 3, 2 });
+            RadarPose At(double distance)
+            {
+                var view = TestRadar.LookAt(double3(0, 0, -distance), double3(0, 0, 0), fov: 30);
+                view.ReceiverSize = 1000;
+                return new RadarPose(new RadarScene(plate), settings, view);
+            }
+            RadarPose large = At(10), small = At(3000);
+            using (var tracer = Tracer())
+            {
+                tracer.TilesADispatch = 720 * 480 / PictureTiles.Rays; // a single slice
+                var expected = tracer.Trace(large, RayReadback.None);
+                Assert.That(expected.RaysReceived, Is.EqualTo(720 * 480));
+                var small1 = tracer.Trace(small, RayReadback.None);
+                var inFlight = tracer.Start(large, RayReadback.None);
+                var next = tracer.Start(small, RayReadback.None);
+                AssertSame(tracer.Finish(inFlight), expected);
+                AssertSame(tracer.Finish(next), small1);
             }
         }
 

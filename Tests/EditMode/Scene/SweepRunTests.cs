@@ -274,6 +274,23 @@ namespace Glint.Tests
             }
         }
 
+        // What is traced in the first pose is the same; later ones are not.
+        [Test]
+        public void Identity_OfATargetWithAnotherPivot_IsAnother()
+        {
+            var pivot = new GameObject("Pivot").transform;
+            _target.transform.SetParent(pivot);
+            _radar.Roots.Add(pivot);
+            var setup = new SweepSetup(_radar, new SweepPlan(new double[] { 0, 10 })) { Target = pivot };
+            var before = RunDescription.IdentityOf(setup);
+            Assert.That(RunDescription.IdentityOf(setup).DifferenceFrom(before), Is.Null);
+            pivot.position += Vector3.right;
+            _target.transform.position -= Vector3.right;
+            Assert.That(RunDescription.IdentityOf(setup).DifferenceFrom(before), Does.StartWith("target_place was \"Pivot at 0,0,0"));
+            _target.transform.SetParent(null);
+            Object.DestroyImmediate(pivot.gameObject);
+        }
+
         static readonly Action<RadarController, PoseInFlight>[] s_ends =
         {
             (radar, pose) => radar.Release(), (radar, pose) => radar.enabled = false,

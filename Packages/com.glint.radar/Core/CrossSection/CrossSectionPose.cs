@@ -131,8 +131,7 @@ namespace Glint.Core
                 (view, scene) = (CurvedEarth.Below((boxMin + boxMax) / 2, view),
                     CurvedEarth.Below((boxMin + boxMax) / 2, scene));
             var radar = new RadarAspect(-view.Forward, view.Up, view.Right);
-            // In front of the camera, whatever is behind it.
-            double range = Math.Max(MinRange, math.dot((boxMin + boxMax) / 2 - view.Position, view.Forward));
+            double range = RangeOf(view, scene.BoundTarget((boxMin, boxMax)));
             return new CrossSectionPose
             {
                 Scene = scene, Radar = radar, Receivers = new[] { radar },
@@ -141,6 +140,18 @@ namespace Glint.Core
                 Footprint = new RadarFootprint(view, pose.Settings), Frequencies = new[] { pose.Settings.FrequencyHz },
                 MaxBounces = pose.Settings.MaxBounces, ToleranceDb = PictureToleranceDb
             };
+        }
+
+        // To the middle of what is before the camera, whatever is behind it: of the water too, which may lie all around.
+        static double RangeOf(in RadarView view, (double3 Min, double3 Max) target)
+        {
+            double nearest = double.PositiveInfinity, farthest = 0;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                double depth = math.dot(Box.CornerOf(target.Min, target.Max, corner) - view.Position, view.Forward);
+                (nearest, farthest) = (Math.Min(nearest, depth), Math.Max(farthest, depth));
+            }
+            return Math.Max(MinRange, (Math.Max(0, nearest) + farthest) / 2);
         }
 
         /// <summary>Whether the radar is so far that its wave is plane.</summary>

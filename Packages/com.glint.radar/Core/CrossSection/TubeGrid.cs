@@ -56,7 +56,7 @@ namespace Glint.Core
             Side = side;
             _range = pose.Range;
             View = footprint == null ? ViewOf(pose, partMin, partMax, DepthOf(pose, boxMin, boxMax))
-                : ViewOf(footprint, pose);
+                : ViewOf(footprint, pose, boxMin, boxMax);
             Settings = new RadarSettings
             {
                 FrequencyHz = pose.Frequencies[pose.Frequencies.Length - 1], RaysAcross = Cells.x, RaysDown = Cells.y,
@@ -81,16 +81,7 @@ namespace Glint.Core
             double turn = math.radians(TurnDegrees), cos = Math.Cos(turn), sin = Math.Sin(turn);
             double3 right = cos * pose.Radar.Right + sin * pose.Radar.Up;
             double3 up = cos * pose.Radar.Up - sin * pose.Radar.Right;
-            double2 lower = double.PositiveInfinity, upper = double.NegativeInfinity;
-            for (int corner = 0; corner < 8; corner++)
-            {
-                double3 at = Box.CornerOf(boxMin, boxMax, corner) - pose.PhaseCentre;
-                double towards = math.dot(at, pose.Radar.ToRadar);
-                double scale = pose.IsFar ? 1 : pose.Range / Math.Max(pose.Range - towards, 1e-3 * pose.Range);
-                double2 place = scale * new double2(math.dot(at, right), math.dot(at, up));
-                lower = math.min(lower, place);
-                upper = math.max(upper, place);
-            }
+            var (lower, upper) = Seen(pose, right, up, boxMin, boxMax);
             double2 centre = (lower + upper) / 2;
             if (!pose.IsFar)
             {
@@ -111,12 +102,32 @@ namespace Glint.Core
             };
         }
 
-        // The camera's picture, in cells that it may exceed by one.
-        RadarView ViewOf(RadarFootprint footprint, CrossSectionPose pose)
+        // Of a box across the direction to the radar, at the range of the phase centre, metres from it.
+        static (double2, double2) Seen(CrossSectionPose pose, double3 right, double3 up, double3 boxMin, double3 boxMax)
         {
-            double2 size = (pose.IsFar ? 2 : 2 * pose.Range) * footprint.HalfSize;
-            Cells = (int2)math.max(1, math.ceil(size / Side));
+            double2 lower = double.PositiveInfinity, upper = double.NegativeInfinity;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                double3 at = Box.CornerOf(boxMin, boxMax, corner) - pose.PhaseCentre;
+                double towards = math.dot(at, pose.Radar.ToRadar);
+                double scale = pose.IsFar ? 1 : pose.Range / Math.Max(pose.Range - towards, 1e-3 * pose.Range);
+                double2 place = scale * new double2(math.dot(at, right), math.dot(at, up));
+                lower = math.min(lower, place);
+                upper = math.max(upper, place);
+            }
+            return (lower, upper);
+        }
+
+        // The camera's picture, in cells that it may exceed by one, without those on both sides of the scene.
+        RadarView ViewOf(RadarFootprint footprint, CrossSectionPose pose, double3 boxMin, double3 boxMax)
+        {
             var view = footprint.View;
+            double2 size = (pose.IsFar ? 2 : 2 * pose.Range) * footprint.HalfSize, cells = math.max(1, math.ceil(size / Side));
+            var (lower, upper) = Seen(pose, view.Right, view.Up, boxMin, boxMax);
+            double2 axis = new double2(math.dot(view.Position - pose.PhaseCentre, view.Right),
+                math.dot(view.Position - pose.PhaseCentre, view.Up));
+            double2 spare = math.floor(cells / 2 - math.max(math.abs(lower - axis), math.abs(upper - axis)) / Side - 1);
+            Cells = (int2)(cells - 2 * math.max(0, spare));
             (view.ApertureHeight, view.VerticalFovDegrees) =
                 (pose.IsFar ? Cells.y * Side : 0, FovOf(Cells.y * Side, pose));
             return view;

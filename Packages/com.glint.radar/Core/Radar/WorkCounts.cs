@@ -1,3 +1,5 @@
+using System;
+
 namespace Glint.Core
 {
     /// <summary>
@@ -16,15 +18,17 @@ namespace Glint.Core
         public const int ReceivedRays = First + 6;
 
         /// <summary>The counts in the words of a slice.</summary>
-        public WorkCounts(uint[] words)
+        /// <param name="words">Of the sums, the counts and the received rays.</param>
+        /// <param name="knownCapacity">Of the slice's list, for <see cref="Known"/>.</param>
+        public WorkCounts(uint[] words, int knownCapacity)
         {
-            (Known, Searched) = ((int)words[First], (int)words[First + 1]);
+            (Known, Searched) = (Math.Min((int)words[First], knownCapacity), (int)words[First + 1]);
             (SubKnown, SubSearched) = ((int)words[First + 2], (int)words[First + 3]);
             (Received, Chosen) = ((int)words[First + 4], (int)words[ChosenWord]);
         }
 
         /// <summary>
-        /// Candidates of which float32 knows every triangle. Those that the list does not hold are also among
+        /// Candidates in the list of which float32 knows every triangle. Those that it does not hold are among
         /// <see cref="Searched"/>.
         /// </summary>
         public int Known { get; }

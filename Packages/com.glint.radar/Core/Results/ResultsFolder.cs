@@ -288,6 +288,9 @@ namespace Glint.Core
                 File.Delete(PartialPath);
             else
             {
+                // The rows of an array are in this file alone.
+                if (_table.IsArray)
+                    File.Delete(CsvPath);
                 _partial = Open(PartialPath, FileMode.Create);
                 _partialLength += Put(_partial,
                     text => text.Write(ResultsJson.Line(StartedUtc.Value, _sweep, _table) + "\n"));

@@ -14,6 +14,9 @@ namespace Glint.Core
         /// <summary>Name of the hash of the scene.</summary>
         public const string Content = "content";
 
+        /// <summary>Name of the place of the target, in the hierarchy and the world. Earlier versions did not write it.</summary>
+        public const string TargetPlace = "target_place";
+
         readonly List<KeyValuePair<string, string>> _entries = new List<KeyValuePair<string, string>>();
 
         /// <summary>Names and texts in the order of the file; each name once, a text may be null.</summary>
@@ -42,7 +45,7 @@ namespace Glint.Core
             if (!Equals(Shard, earlier.Shard))
                 return Difference("shard", earlier.Shard?.ToString(), Shard?.ToString());
             foreach (string name in _entries.Concat(earlier._entries).Select(entry => entry.Key).Distinct())
-                if (earlier.Find(name) != Find(name))
+                if (earlier.Find(name) != Find(name) && !(name == TargetPlace && earlier.Find(name) == null))
                     return Difference(name, earlier.Find(name), Find(name));
             return null;
         }

@@ -28,6 +28,9 @@ namespace Glint.Editor
         public static int Compute(CommandLine line, CrossSectionSetup setup, string name, ResultTable table,
             IRowLines lines, IProgressSink progress)
         {
+            if (line.IsGiven(CrossSectionOptions.Reference) && setup.Scene.Seas.Count > 0)
+                throw new GlintException($"{name}: the reference tracer knows no diffuse echo of a sea: leave "
+                    + $"{CrossSectionOptions.Reference.Flag} out, or switch the clutter off");
             string path = line.IsGiven(CrossSectionOptions.Out)
                 ? Path.GetFullPath(line.Get(CrossSectionOptions.Out))
                 : RunDescription.DefaultFolder(name, table);

@@ -248,6 +248,19 @@ namespace Glint
             return inFlight;
         }
 
+        /// <summary>Computes the factors of seas with a published level for the scene as it is.</summary>
+        /// <returns>False if no sea has such a level.</returns>
+        internal bool SetClutterLevels()
+        {
+            var pose = Gather();
+            if (pose.Scene.Seas.All(sea => sea.Clutter.Settings.Level == ClutterLevel.Physics))
+                return false;
+            CrossSections.SetLevels(CrossSectionPose.Of(pose));
+            return true;
+        }
+
+        CrossSectionTracer CrossSections => _crossSections ??= new CrossSectionTracer(_clutterKernel, Subject);
+
         /// <summary>Waits for a pose; it becomes <see cref="Result"/>.</summary>
         internal RadarResult FinishTrace(PoseInFlight inFlight, IProgress<double> progress = null,
             CancellationToken cancel = default)
@@ -256,8 +269,7 @@ namespace Glint
                 : _tracer.Finish(inFlight, progress, cancel);
             if (inFlight.Pose.Scene.Seas.Count > 0)
             {
-                _crossSections ??= new CrossSectionTracer(_clutterKernel, Subject);
-                var echo = _crossSections.Trace(CrossSectionPose.Of(inFlight.Pose), progress, cancel);
+                var echo = CrossSections.Trace(CrossSectionPose.Of(inFlight.Pose), progress, cancel);
                 result = result.With(PoseEcho.Of(echo));
             }
             (_traced.Settings, _traced.View) = (inFlight.Pose.Settings, inFlight.Pose.View);

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
@@ -43,8 +44,7 @@ namespace Glint
             RunDescription.AddSeas(info, setup.Scene);
             setup.Echo?.AddTo(info.Settings, setup.Plan);
             if (setup.Plan.Pulses != null)
-                info.Settings.Add(new RunSetting("motion", string.Join("; ",
-                    setup.Scene.Instances.Select(instance => instance.Motion.ToString()).Distinct())));
+                info.Settings.Add(new RunSetting("motion", MotionOf(setup.Scene)));
             AddMeshes(info, setup);
             return info;
         }
@@ -59,6 +59,15 @@ namespace Glint
             identity.Add(SweepIdentity.Content, CrossSectionSetup.ContentOf(setup.Scene));
             RunDescription.AddTo(identity, info);
             return identity;
+        }
+
+        // Of each instance that moves, by its number.
+        static string MotionOf(RadarScene scene)
+        {
+            var moving = Enumerable.Range(0, scene.Instances.Length)
+                .Where(number => !scene.Instances[number].Motion.IsNone)
+                .Select(number => FormattableString.Invariant($"{number}: {scene.Instances[number].Motion}")).ToArray();
+            return moving.Length == 0 ? "none" : string.Join("; ", moving);
         }
 
         static void AddMeshes(RunInfo info, CrossSectionSetup setup)

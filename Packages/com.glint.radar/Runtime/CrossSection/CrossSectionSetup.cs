@@ -208,6 +208,9 @@ namespace Glint
             if (Scene.TriangleCount == 0)
                 throw new GlintException($"{subject}: has no triangles to compute a cross section of: "
                     + "activate an object with a mesh");
+            if (HasContributions && Scene.Seas.Count > 0)
+                throw new GlintException($"{subject}: contributions are those of mirror paths and edges, and a sea with clutter "
+                    + "has a diffuse echo: leave --contributions out, or switch the clutter off");
             if (HasContributions && Scene.TriangleCount > CrossSectionContributions.MaxTriangles)
                 throw new GlintException($"{subject}: has {Scene.TriangleCount} triangles, and contributions are "
                     + $"summed of at most {CrossSectionContributions.MaxTriangles}: leave --contributions out, or "

@@ -206,6 +206,13 @@ namespace Glint
                 sea => _levels.Of(pose, sea, pose.FrequencyOf(sample), cancel), null, cancel)[0]).ToArray();
         }
 
+        /// <summary>Computes the factors of a pose's seas that have a published level, for later poses too.</summary>
+        internal void SetLevels(CrossSectionPose pose)
+        {
+            foreach (var sea in pose.Scene.Seas)
+                _levels.Of(pose, sea, pose.Frequencies[0], default);
+        }
+
         // No echo need be known better than against the clutter that it is seen in, dBsm: in VV or HH, whichever is more.
         static double FloorOf(ClutterEcho[] clutter) => clutter == null ? double.NegativeInfinity
             : PowerLevel.ToDecibels(clutter.Min(echo => Math.Max(echo.SigmaVV, echo.SigmaHH)));
@@ -284,7 +291,7 @@ namespace Glint
             var ahead = _ahead;
             _ahead = null;
             _scene.Set(pose.Scene, new TraceStatistics(),
-                (mesh, layout) => ahead?.BvhOf(mesh) ?? MeshBvh.Build(mesh, layout, cancel));
+                (mesh, layout) => ahead?.BvhOf(mesh, cancel) ?? MeshBvh.Build(mesh, layout, cancel));
             if (_scene.IsEmpty)
                 return;
             _scene.RequireOnePage(_owner, "a cross section takes");
@@ -298,7 +305,7 @@ namespace Glint
                 _surfaces.Mirrors.Set(pose.Scene, _surfaces.Patches.OfInstances, _scene.Centre, SideOf(pose));
             if (pose.HasEdges)
                 _edges.Set(pose.Scene, _surfaces.Patches.OfInstances, _surfaces.Patches.Parts, _scene.Centre,
-                    TubeGrid.EdgePieceFor(pose), ahead);
+                    TubeGrid.EdgePieceFor(pose), ahead, cancel);
         }
 
         double SideOf(CrossSectionPose pose) => TubeGrid.SideFor(pose, _scene.Min, _scene.Max);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
 
@@ -29,14 +30,15 @@ namespace Glint
         /// <param name="centre">Origin of the kernels' coordinates.</param>
         /// <param name="maxLength">Of a piece, metres.</param>
         /// <param name="ahead">What has been begun for this scene; may be null.</param>
+        /// <param name="cancel">Cancels the wait for it.</param>
         public void Set(RadarScene scene, IReadOnlyList<SurfacePatches> patches, SceneParts parts, double3 centre,
-            double maxLength, SceneAhead ahead)
+            double maxLength, SceneAhead ahead, CancellationToken cancel)
         {
             bool isSame = ReferenceEquals(patches, _patches);
             if (isSame && maxLength == _maxLength)
                 return;
             if (!isSame)
-                _wedges = ahead?.WedgesOf(patches) ?? WedgesOf(scene, patches);
+                _wedges = ahead?.WedgesOf(patches, cancel) ?? WedgesOf(scene, patches);
             // Rays bounce on the inside of a corner; its edge adds nothing.
             var pieces = _wedges.Wedges.Where(wedge => !wedge.IsConcave)
                 .SelectMany(wedge => PiecesOf(wedge, parts, centre, maxLength)).ToArray();

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using System.Threading.Tasks;
 using Glint.Core;
 
@@ -29,11 +30,19 @@ namespace Glint
         public Func<SurfacePatches[]> Patches { get; }
 
         /// <summary>The BVH of a mesh; null if it was not begun.</summary>
-        public MeshBvh BvhOf(TriangleMesh mesh) =>
-            _bvhs.TryGetValue(mesh, out var bvh) ? bvh.GetAwaiter().GetResult() : null;
+        /// <exception cref="OperationCanceledException">The wait was cancelled; the work goes on.</exception>
+        public MeshBvh BvhOf(TriangleMesh mesh, CancellationToken cancel) =>
+            _bvhs.TryGetValue(mesh, out var bvh) ? ResultOf(bvh, cancel) : null;
 
         /// <summary>The wedges of a scene with these patches; null if they were not begun.</summary>
-        public WedgeSet WedgesOf(IReadOnlyList<SurfacePatches> patches) =>
-            _wedges != null && patches.SequenceEqual(Patches()) ? _wedges.GetAwaiter().GetResult() : null;
+        /// <exception cref="OperationCanceledException">The wait was cancelled; the work goes on.</exception>
+        public WedgeSet WedgesOf(IReadOnlyList<SurfacePatches> patches, CancellationToken cancel) =>
+            _wedges != null && patches.SequenceEqual(Patches()) ? ResultOf(_wedges, cancel) : null;
+
+        static T ResultOf<T>(Task<T> task, CancellationToken cancel)
+        {
+            Task.WaitAny(new Task[] { task }, cancel);
+            return task.GetAwaiter().GetResult();
+        }
     }
 }

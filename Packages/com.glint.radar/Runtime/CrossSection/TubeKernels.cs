@@ -120,6 +120,7 @@ namespace Glint
                 new[] { _fringes, _points, _mark, _outlines, _cover, _shadows, _images }))
                 _shader.SetBuffer(kernel, TubeIDs._Poses, _poses.Buffer);
             _shader.SetInt(TubeIDs._PoseCount, jobs.Count);
+            SeaKernel.SetFootprint(_shader, pose.Footprint, rays.SceneCentre);
             SetReceivers(_shader, pose);
             _rounds.FindsChanges = !pose.IsFar;
             _shader.SetInt(TubeIDs._SlotCount, TubeSums.SlotsOf(pose));
@@ -223,8 +224,8 @@ namespace Glint
         }
 
         /// <summary>Words of the marks of a grid: lists of corners and sides a cell, the cover, counts of links.</summary>
-        public static int MarkWordsOf(TubeGrid grid) =>
-            2 * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 3;
+        public static long MarkWordsOf(TubeGrid grid) =>
+            2 * grid.Count + ((long)BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 3;
 
         /// <summary>Links of corners and sides in the lists of a grid's cells, at most.</summary>
         public static int LinksOf(TubeGrid grid, SurfaceBuffers surfaces) => 1 + VertexLinks * surfaces.VertexCount

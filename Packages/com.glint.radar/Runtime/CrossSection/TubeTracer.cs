@@ -71,7 +71,7 @@ namespace Glint
         /// </summary>
         /// <param name="pose">One of them: they are alike.</param>
         public static bool FitsTogether(int poses, TubeGrid largest, CrossSectionPose pose, SurfaceBuffers surfaces) =>
-            (long)poses * TubeKernels.MarkWordsOf(largest) <= ListFactor * MarkWordsAList
+            poses * TubeKernels.MarkWordsOf(largest) <= ListFactor * MarkWordsAList
             && (long)poses * (TubeKernels.LinksOf(largest, surfaces) + TubeKernels.LineLinksOf(pose, surfaces))
                 <= Math.Min(DeviceBuffer<uint4>.MaxCount, ListFactor * LinksAList)
             && (long)poses * surfaces.MarkedCount <= KernelCalls.MaxThreads;
@@ -128,13 +128,13 @@ namespace Glint
             _tubeParts.Reserve(tubeParts());
             _tubeExtras.Reserve(pose.IsFar && !pose.IsMoving ? 1 : (long)TubeKernels.ExtraRowsOf(pose) * Capacity);
             _kernels.SetLists(_lists, _tubeParts, _tubeExtras);
-            int words = jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
+            long words = jobs.Max(job => TubeKernels.MarkWordsOf(job.Grid));
             int lines = TubeKernels.LineLinksOf(pose, surfaces);
             int links = TubeKernels.LinksOf(jobs[0].Grid, surfaces) + lines;
-            _marks.Reserve((long)jobs.Length * words);
+            _marks.Reserve(jobs.Length * words);
             _links.Reserve((long)jobs.Length * links);
             _kernels.BindRevealed(jobs.Length);
-            _kernels.Mark(jobs.Length, words, links, lines, surfaces, _marks, _links);
+            _kernels.Mark(jobs.Length, (int)words, links, lines, surfaces, _marks, _links);
             _kernels.Clear(_read.Length);
             if (TubeKernels.HasImages(pose))
                 _kernels.MarkImages(jobs.Length, scene, surfaces.Mirrors);

@@ -87,10 +87,26 @@ namespace Glint
                     identity.Add(axis.Column, string.Join(",", setup.Plan.Values(axis).Select(Numbers.Format)));
             identity.Add("scene", info.ScenePath);
             identity.Add("target", info.TargetName);
+            if (setup.Target != null)
+                identity.Add(SweepIdentity.TargetPlace, PlaceOf(setup.Target));
             identity.Add(SweepIdentity.Content, ContentOf(setup));
             AddTo(identity, info);
             return identity;
         }
+
+        // The point that it turns about is not in the scene's content.
+        static string PlaceOf(Transform target)
+        {
+            Vector3 position = target.position;
+            Quaternion rotation = target.rotation;
+            return PathOf(target) + " at " + string.Join(",", new double[]
+            {
+                position.x, position.y, position.z, rotation.x, rotation.y, rotation.z, rotation.w
+            }.Select(Numbers.Format));
+        }
+
+        static string PathOf(Transform item) =>
+            item.parent == null ? item.name : $"{PathOf(item.parent)}/{item.name}";
 
         /// <summary>Adds settings, device and versions to the identity of a sweep.</summary>
         internal static void AddTo(SweepIdentity identity, RunInfo info)

@@ -181,7 +181,26 @@ namespace Glint
             foreach (var axis in SweepAxis.All)
                 if (_setup.Plan.FirstChange(axis) is var pose && pose > 0)
                     Gather(pose);
+            if (_setup.Plan.Has(SweepAxis.Snapshot))
+                SetLevels();
             Gather(0);
+        }
+
+        // Published levels scale all snapshots as the first one, which a resumed sweep or a part does not trace.
+        void SetLevels()
+        {
+            var known = new HashSet<(double?, double?)>();
+            for (int number = 0; number < _setup.Plan.Count; number++)
+            {
+                var pose = _setup.Plan[number];
+                if (pose[SweepAxis.Snapshot] != _setup.Plan[0][SweepAxis.Snapshot])
+                    return;
+                if (!known.Add((pose[SweepAxis.Angle], pose[SweepAxis.Frequency])))
+                    continue;
+                _motions.Show(pose);
+                if (!_setup.Radar.SetClutterLevels())
+                    return;
+            }
         }
 
         RadarScene Gather(int pose)

@@ -61,22 +61,21 @@ namespace Glint
             8.0 * (KnownOf(rays) + rays) + 8.0 * MetOf(rays, maxBounces);
 
         /// <summary>Of the candidates to search those that the first dispatch takes.</summary>
-        public int FirstSearched(int known, int searched) => Math.Min(searched, MaxRefined - Padded(known));
+        /// <param name="known">At most the capacity that the list had for them.</param>
+        public static int FirstSearched(int known, int searched) => Math.Min(searched, MaxRefined - Padded(known));
 
         /// <summary>Threads of the first dispatch.</summary>
+        /// <param name="known">At most the capacity that the list had for them.</param>
         public int Threads(int known, int searched) =>
             Padded(known) + FirstSearched(known, searched)
             * Math.Max(1, Math.Min(MaxSpread, SpreadThreads / Math.Max(1, searched)));
-
-        /// <summary>Candidates in all.</summary>
-        public int Count(int known, int searched) => Math.Min(known, KnownCapacity) + searched;
 
         static int KnownOf(long rays) => (int)Math.Min(rays, MaxKnown);
 
         // As many of those to search have some known triangles.
         static long MetOf(long rays, int maxBounces) => 2L * KnownOf(rays) * maxBounces;
 
-        int Padded(int known) => (Math.Min(known, KnownCapacity) + Padding - 1) / Padding * Padding;
+        static int Padded(int known) => (known + Padding - 1) / Padding * Padding;
 
         public void Dispose()
         {

@@ -24,6 +24,9 @@ namespace Glint
         static readonly ConditionalWeakTable<ComputeShader, object> s_passed =
             new ConditionalWeakTable<ComputeShader, object>();
 
+        static readonly ConditionalWeakTable<ComputeShader, StrongBox<bool>> s_fused =
+            new ConditionalWeakTable<ComputeShader, StrongBox<bool>>();
+
         static readonly int s_operands = Shader.PropertyToID("_Operands"), s_results = Shader.PropertyToID("_Results");
 
         /// <summary>Refuses a device that rounds otherwise; a shader that has passed is not tested again.</summary>
@@ -38,6 +41,18 @@ namespace Glint
                     + $"otherwise than path lengths need: {wrong}. Its shader compiler changes double-float "
                     + "arithmetic: use Vulkan or Direct3D 11 or 12, or another version of the driver");
             s_passed.Add(shader, s_passed);
+        }
+
+        /// <summary>
+        /// Whether the device rounds a multiply-add once, so that the kernels with GLINT_FUSED compute the same as those
+        /// without, in less time. Shader model 5 leaves that to the device.
+        /// </summary>
+        /// <param name="shader">Has the kernel ArithmeticFused.</param>
+        public static bool IsFused(ComputeShader shader)
+        {
+            if (!s_fused.TryGetValue(shader, out var isFused))
+                s_fused.Add(shader, isFused = new StrongBox<bool>(FirstWrong(shader, "ArithmeticFused") == null));
+            return isFused.Value;
         }
 
         /// <summary>The first operation with another result than double precision, or null.</summary>

@@ -26,6 +26,12 @@ namespace Glint
         /// <summary>Number of the kernels' inputs that were set for it.</summary>
         public int Inputs;
 
+        /// <summary>
+        /// Capacity that the slice has for candidates with known triangles: that of the list is the next pose's once it is
+        /// started.
+        /// </summary>
+        public int KnownCapacity;
+
         /// <summary>Whether the slice has sub-rays of pixels that the device chose.</summary>
         public bool HasSubRays;
 

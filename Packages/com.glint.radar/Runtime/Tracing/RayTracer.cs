@@ -149,7 +149,7 @@ namespace Glint
                     if (words != null)
                         Dispatch(inFlight);
                     words = WordsOf(inFlight, inFlight.Slice);
-                    bool needsLists = NeedsLists(inFlight, new WorkCounts(words));
+                    bool needsLists = NeedsLists(inFlight, CountsOf(inFlight, words));
                     _neededLists = needsLists && inFlight.Readback == RayReadback.None;
                     // Another pose, of any tracer, has set the kernels' inputs since.
                     if (needsLists && inFlight.Inputs != _kernel.Inputs)
@@ -297,6 +297,7 @@ namespace Glint
             inFlight.HasSubRays =
                 plan.IsWhole && !settings.SkipSamplingError && SlicePass.CanChooseSubRays(settings);
             _slices.Begin(settings, _cells, plan.Count, inFlight.Readback, inFlight.HasSubRays);
+            inFlight.KnownCapacity = _slices.Candidates.KnownCapacity;
             FindEntryPoints(plan, statistics);
             _slices.TraceTiles(plan.First, plan.Count, statistics);
             if (inFlight.HasSubRays)
@@ -325,10 +326,12 @@ namespace Glint
         double SecondsSince(TimeSpan start) =>
             (_clock.Elapsed - (start > _lastFinished ? start : _lastFinished)).TotalSeconds;
 
+        static WorkCounts CountsOf(PoseInFlight inFlight, uint[] words) => new WorkCounts(words, inFlight.KnownCapacity);
+
         // Whether more is to be read from, or dispatched with, the slice's lists on the device.
         bool NeedsLists(PoseInFlight inFlight, WorkCounts counts) =>
             !inFlight.Plan.IsWhole || inFlight.Readback != RayReadback.None || counts.Received > _output.Capacity
-            || _slices.Candidates.FirstSearched(counts.Known, counts.Searched) < counts.Searched
+            || CandidateList.FirstSearched(counts.Known, counts.Searched) < counts.Searched
             || !inFlight.Pose.Settings.SkipSamplingError && !HasAllSubRays(inFlight, counts);
 
         bool HasAllSubRays(PoseInFlight inFlight, WorkCounts counts) =>
@@ -339,16 +342,16 @@ namespace Glint
         uint[] AddSlice(PoseInFlight inFlight, uint[] words, CancellationToken cancel)
         {
             var statistics = inFlight.Statistics;
-            var counts = new WorkCounts(words);
+            var counts = CountsOf(inFlight, words);
             inFlight.Rays.AddReceived(_slices.Rays, counts.Received, statistics);
-            int done = _slices.Candidates.FirstSearched(counts.Known, counts.Searched);
+            int done = CandidateList.FirstSearched(counts.Known, counts.Searched);
             for (; done < counts.Searched; done += CandidateList.MaxRefined)
             {
                 cancel.ThrowIfCancellationRequested();
                 int received = counts.Received;
                 _slices.RefineRest(done, counts.Searched - done, received, statistics);
                 words = WordsOf(inFlight, _output.Request(statistics));
-                counts = new WorkCounts(words);
+                counts = CountsOf(inFlight, words);
                 inFlight.Rays.AddReceived(_slices.Rays, counts.Received - received, statistics);
             }
             inFlight.Rays.AddTiles(_slices.Rays, inFlight.Plan.Count, statistics);
@@ -357,7 +360,7 @@ namespace Glint
                 inFlight.Received.Add(words, counts.Received);
             else
                 inFlight.Received.Add(_slices.ReadReceived(counts, statistics));
-            statistics.RaysRefined += _slices.Candidates.Count(counts.Known, counts.Searched);
+            statistics.RaysRefined += counts.Known + counts.Searched;
             return words;
         }
 
@@ -368,7 +371,7 @@ namespace Glint
             cancel.ThrowIfCancellationRequested();
             if (settings.SkipSamplingError)
                 return null;
-            var counts = words == null ? default : new WorkCounts(words);
+            var counts = words == null ? default : CountsOf(inFlight, words);
             bool areTraced = words != null && HasAllSubRays(inFlight, counts);
             var estimate = new SamplingEstimate(settings, inFlight.Received.Rays, inFlight.Received.Count,
                 2 * inFlight.Grid.OriginDepth, areTraced);

@@ -37,10 +37,10 @@ namespace Glint
 
         public static readonly int _Cells = Shader.PropertyToID("_Cells");
         public static readonly int _CellSize = Shader.PropertyToID("_CellSize");
+        public static readonly int _CellInverse = Shader.PropertyToID("_CellInverse");
         public static readonly int _EntryPoints = Shader.PropertyToID("_EntryPoints");
         public static readonly int _FoundEntryPoints = Shader.PropertyToID("_FoundEntryPoints");
         public static readonly int _Hits = Shader.PropertyToID("_Hits");
-        public static readonly int _FirstTile = Shader.PropertyToID("_FirstTile");
         public static readonly int _TileCount = Shader.PropertyToID("_TileCount");
         public static readonly int _Culling = Shader.PropertyToID("_Culling");
         public static readonly int _Readback = Shader.PropertyToID("_Readback");

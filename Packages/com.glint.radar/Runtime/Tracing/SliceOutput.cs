@@ -50,7 +50,7 @@ namespace Glint
             _buffer.ReadBack(all, words);
             statistics.RoundTrips++;
             statistics.BytesReadBack += words * sizeof(uint);
-            return new WorkCounts(all);
+            return new WorkCounts(all, int.MaxValue);
         }
 
         /// <summary>Requests the words, as they are after all work dispatched so far.</summary>

@@ -176,9 +176,9 @@ namespace Glint
                 return;
             }
             var counts = _output.ReadCounts(statistics);
-            _kernel.Refine(candidates, areSubRays, null, areSubRays
-                ? candidates.Threads(counts.SubKnown, counts.SubSearched)
-                : candidates.Threads(counts.Known, counts.Searched));
+            var (known, searched) = areSubRays ? (counts.SubKnown, counts.SubSearched) : (counts.Known, counts.Searched);
+            _kernel.Refine(candidates, areSubRays, null,
+                candidates.Threads(Math.Min(known, candidates.KnownCapacity), searched));
         }
 
         // The lengths of a new buffer are unknown.

@@ -22,10 +22,11 @@ namespace Glint
         readonly ComputeShader _shader;
         readonly StrongBox<int> _settings;
         readonly string _name;
-        readonly string _refineName;
+        readonly string _refineName, _fused;
         readonly int _entryPointsKernel, _pathsKernel;
         int _kernel, _refineKernel;
         bool _hasLengths;
+        int2 _cellSize;
 
         /// <param name="shader">Shaders/Trace.compute.</param>
         /// <param name="isWide">Take the kernels of <see cref="SoftwareDevice.WideShader"/> instead.</param>
@@ -45,10 +46,11 @@ namespace Glint
             _kernel = _shader.FindKernel(_name);
             _entryPointsKernel = _shader.FindKernel("EntryPoints" + suffix);
             _refineName = "Refine" + suffix;
-            _refineKernel = _shader.FindKernel(_refineName);
+            DeviceArithmetic.Check(shader);
+            _fused = !isWide && DeviceArithmetic.IsFused(shader) ? "Fused" : "";
+            _refineKernel = _shader.FindKernel(_refineName + _fused);
             _pathsKernel = _shader.FindKernel("Paths" + suffix);
             DeviceCheck.RequireSupported(_shader, _kernel, _entryPointsKernel, _refineKernel, _pathsKernel);
-            DeviceArithmetic.Check(shader);
         }
 
         /// <summary>
@@ -72,7 +74,7 @@ namespace Glint
                 : !scene.HasInlineInstances ? scene.Pages.Count > 1 ? "Paged" : ""
                 : IsWide && scene.InlineInstances.Count == 1 ? "SingleInstance" : "InlineInstances";
             _kernel = _shader.FindKernel(_name + kind);
-            _refineKernel = _shader.FindKernel(_refineName + (scene.Pages.Count > 1 ? "Paged" : ""));
+            _refineKernel = _shader.FindKernel(_refineName + (scene.Pages.Count > 1 ? "Paged" : _fused));
         }
 
         public void SetRadar(in RadarSettings settings, in RadarView view, RayGrid grid, double3 origin,
@@ -138,7 +140,11 @@ namespace Glint
         }
 
         /// <summary>Sets the number of tiles across and down a cell.</summary>
-        public void SetCellSize(int2 size) => _shader.SetInts(ShaderIDs._CellSize, size.x, size.y, 0, 0);
+        public void SetCellSize(int2 size)
+        {
+            _cellSize = size;
+            _shader.SetVector(ShaderIDs._CellInverse, new Vector4(1f / (size.x * size.y), 1f / size.x));
+        }
 
         /// <summary>Sets the buffers of a slice.</summary>
         /// <param name="lengths">Lengths by pixel; null: they are not kept.</param>
@@ -168,16 +174,14 @@ namespace Glint
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Bvh[0], scene.Pages[0].Rows.Buffer);
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Cells, cells.Buffer);
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._FoundEntryPoints, entryPoints.Buffer);
-            _shader.SetInt(ShaderIDs._FirstTile, plan.First);
-            _shader.SetInt(ShaderIDs._TileCount, plan.Count);
+            SetTiles(plan.First, plan.Count);
             _shader.DispatchThreads(_entryPointsKernel, (long)plan.Cells * scene.InlineInstances.Count);
         }
 
         /// <summary>Traces the rays of some tiles and lists candidates.</summary>
         public void TraceTiles(int firstTile, int count, CandidateList candidates)
         {
-            _shader.SetInt(ShaderIDs._FirstTile, firstTile);
-            _shader.SetInt(ShaderIDs._TileCount, count);
+            SetTiles(firstTile, count);
             SetCandidates(_kernel, candidates, hasSubRays: false);
             _shader.DispatchThreads(_kernel, (long)count * PictureTiles.Rays);
         }
@@ -224,6 +228,13 @@ namespace Glint
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Candidates, listed.Buffer);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Hits, hits.Buffer);
             _shader.DispatchThreads(_pathsKernel, count);
+        }
+
+        void SetTiles(int first, int count)
+        {
+            int tilesPerCell = _cellSize.x * _cellSize.y;
+            _shader.SetInts(ShaderIDs._CellSize, _cellSize.x, _cellSize.y, first / tilesPerCell, first % tilesPerCell);
+            _shader.SetInt(ShaderIDs._TileCount, count);
         }
 
         void SetCandidates(int kernel, CandidateList candidates, bool hasSubRays)

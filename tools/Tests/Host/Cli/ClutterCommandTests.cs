@@ -168,6 +168,23 @@ public sealed class ClutterCommandTests
         }
     }
 
+    // All snapshots are scaled as the first one, which a part does not trace.
+    [Test]
+    public void Sweep_OfAPartOfTheSnapshots_HasTheLevelOfTheWhole()
+    {
+        Dictionary<string, string> LastOf(string folder, params string[] options)
+        {
+            var (code, _, error) = TestShell.Run(["sweep", Scene, "--snapshots", "1:2", .. s_coarse, "--clutter", "nrl",
+                .. options, "--out", At(folder)]);
+            Assert.That(code, Is.Zero, error);
+            return Rows(folder, "results.csv").Last();
+        }
+
+        var (whole, part) = (LastOf("whole"), LastOf("part", "--shard", "2/2"));
+        foreach (string column in whole.Keys.Where(column => column.StartsWith("sigma_")))
+            Assert.That(part[column], Is.EqualTo(whole[column]), column);
+    }
+
     [Test]
     public void Run_OfASeaWithClutter_PrintsTheFiguresOfItsFiles()
     {

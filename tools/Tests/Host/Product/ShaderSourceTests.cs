@@ -22,7 +22,7 @@ public sealed partial class ShaderSourceTests
     /// Unity compiles every kernel of a package on import; the tracers take seconds to a minute each, the small ones
     /// between them a tenth of a second.
     /// </summary>
-    [TestCase("Trace.compute", 9, 14)]
+    [TestCase("Trace.compute", 9, 15)]
     [TestCase("Tubes.compute", 18, 29)]
     [TestCase("Amplitude.compute", 6, 12)]
     public void Shader_HasFewLargeKernelsThatUnityCompiles(string file, int large, int all)
